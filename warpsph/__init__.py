@@ -1,0 +1,1 @@
+"""warpsph: particle simulation of solidification and continuous casting on NVIDIA Warp."""
