@@ -12,7 +12,7 @@ import warpsph.kernels
 
 
 def modules_with_kernels() -> list[str]:
-    """Modules of warpsph.kernels that define Warp kernels; device functions alone are compiled where they are called."""
+    """Modules of warpsph.kernels with Warp kernels; device functions alone are compiled where they are called."""
     names = [module.name for module in pkgutil.walk_packages(warpsph.kernels.__path__, "warpsph.kernels.")]
     return [name for name in names if kernels_of(name)]
 
