@@ -1,0 +1,116 @@
+"""The layout of a VTKHDF file of particles: PolyData with steps, in which every particle is one vertex.
+
+Format: https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/index.html. What VTK leaves out there: all
+four topologies must be present, and the offsets of a step count from 0 and are one longer than its cells. VTK finds the
+place of a step's offsets by counting cells, so a step without particles gets one cell without points.
+"""
+
+import h5py
+import numpy as np
+
+ROOT = "VTKHDF"
+TOPOLOGIES = ("Vertices", "Lines", "Polygons", "Strips")
+PARTICLES_PER_CHUNK = 16384
+STEPS_PER_CHUNK = 256
+
+
+def extendable(group: h5py.Group, name: str, tail: tuple[int, ...], dtype, rows_per_chunk: int) -> None:
+    """Make an empty dataset of shape (0, *tail) that can grow."""
+    group.create_dataset(name, (0, *tail), dtype, maxshape=(None, *tail), chunks=(rows_per_chunk, *tail))
+
+
+def put(dataset: h5py.Dataset, start: int, rows) -> None:
+    """Let ``dataset`` end with ``rows`` (n, ...) from ``start`` on, in place of what a failed writing left there."""
+    dataset.resize(start + len(rows), axis=0)
+    dataset[start:] = rows
+
+
+def put_cells(group: h5py.Group, step: int, first_cell: int, first_id: int, offsets: np.ndarray) -> None:
+    """Add the cells of one step, made of the ids 0, 1, 2, ... in this order, to a topology."""
+    cells, ids = len(offsets) - 1, int(offsets[-1])
+    put(group["Offsets"], first_cell + step, offsets)
+    put(group["Connectivity"], first_id, np.arange(ids))
+    put(group["NumberOfCells"], step, [cells])
+    put(group["NumberOfConnectivityIds"], step, [ids])
+
+
+def create_layout(file: h5py.File) -> None:
+    """Write the groups of a file that holds no step yet."""
+    root = file.create_group(ROOT)
+    root.attrs["Version"] = np.array([2, 0], dtype="i8")
+    root.attrs["Type"] = np.bytes_("PolyData")
+    extendable(root, "Points", (3,), "f4", PARTICLES_PER_CHUNK)
+    extendable(root, "NumberOfPoints", (), "i8", STEPS_PER_CHUNK)
+    root.create_group("PointData")
+    for topology in TOPOLOGIES:
+        group = root.create_group(topology)
+        extendable(group, "NumberOfCells", (), "i8", STEPS_PER_CHUNK)
+        extendable(group, "NumberOfConnectivityIds", (), "i8", STEPS_PER_CHUNK)
+        rows_per_chunk = PARTICLES_PER_CHUNK if topology == "Vertices" else STEPS_PER_CHUNK
+        extendable(group, "Offsets", (), "i8", rows_per_chunk)
+        extendable(group, "Connectivity", (), "i8", rows_per_chunk)
+    steps = root.create_group("Steps")
+    steps.attrs["NSteps"] = np.int64(0)
+    extendable(steps, "Values", (), "f8", STEPS_PER_CHUNK)
+    for name in ("PartOffsets", "NumberOfParts", "PointOffsets"):
+        extendable(steps, name, (), "i8", STEPS_PER_CHUNK)
+    for name in ("CellOffsets", "ConnectivityIdOffsets"):
+        extendable(steps, name, (len(TOPOLOGIES),), "i8", STEPS_PER_CHUNK)
+    steps.create_group("PointDataOffsets")
+
+
+def append_step(file: h5py.File, time: float, points: np.ndarray, fields: dict[str, np.ndarray]) -> None:
+    """Add one step: first the data, then the counts, last ``NSteps``, so that a killed writer leaves whole steps.
+
+    Args:
+        points: (n, 3) float32 [m].
+        fields: (n,) or (n, 3) float32 or int32; the first step decides on the names.
+    """
+    root, steps = file[ROOT], file[ROOT]["Steps"]
+    step, count = int(steps.attrs["NSteps"]), len(points)
+    if step == 0:
+        first = first_cell = 0
+        for name, values in fields.items():
+            extendable(root["PointData"], name, values.shape[1:], values.dtype, PARTICLES_PER_CHUNK)
+            extendable(steps["PointDataOffsets"], name, (), "i8", STEPS_PER_CHUNK)
+    else:
+        first = int(steps["PointOffsets"][step - 1] + root["NumberOfPoints"][step - 1])
+        first_cell = int(steps["CellOffsets"][step - 1, 0] + root["Vertices/NumberOfCells"][step - 1])
+    if set(fields) != set(root["PointData"]) or any(len(values) != count for values in fields.values()):
+        raise ValueError(f"a frame of {count} particles needs {count} rows of each of {', '.join(root['PointData'])}")
+
+    put(root["Points"], first, points)
+    for name, values in fields.items():
+        put(root["PointData"][name], first, values)
+        put(steps["PointDataOffsets"][name], step, [first])
+    vertices = np.arange(count + 1) if count else np.zeros(2)
+    put_cells(root["Vertices"], step, first_cell, first, vertices)
+    for topology in TOPOLOGIES[1:]:
+        put_cells(root[topology], step, 0, 0, np.zeros(1))
+    put(root["NumberOfPoints"], step, [count])
+    put(steps["PartOffsets"], step, [step])
+    put(steps["NumberOfParts"], step, [1])
+    put(steps["PointOffsets"], step, [first])
+    put(steps["CellOffsets"], step, [[first_cell, 0, 0, 0]])
+    put(steps["ConnectivityIdOffsets"], step, [[first, 0, 0, 0]])
+    put(steps["Values"], step, [time])
+    steps.attrs.modify("NSteps", np.int64(step + 1))
+
+
+def read_times(file: h5py.File) -> np.ndarray:
+    """Times of the steps of which everything has been written (S,) [s]."""
+    root, steps = file[ROOT], file[ROOT]["Steps"]
+    counted = (steps["Values"], steps["PointOffsets"], root["NumberOfPoints"])
+    complete = min(int(steps.attrs["NSteps"]), *(len(dataset) for dataset in counted))
+    rows = min(len(dataset) for dataset in (root["Points"], *root["PointData"].values()))
+    ends = steps["PointOffsets"][:complete] + root["NumberOfPoints"][:complete]
+    too_long = np.flatnonzero((ends < 0) | (ends > rows))
+    return steps["Values"][: too_long[0] if len(too_long) else complete]
+
+
+def read_step(file: h5py.File, step: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    """Points (n, 3) and fields of one step."""
+    root = file[ROOT]
+    first = int(root["Steps/PointOffsets"][step])
+    rows = slice(first, first + int(root["NumberOfPoints"][step]))
+    return root["Points"][rows], {name: dataset[rows] for name, dataset in root["PointData"].items()}
