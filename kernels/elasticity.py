@@ -1,0 +1,158 @@
+"""Elastic forces of bonded particles: Green-Saint-Venant strain, Hooke's law, and hourglass control."""
+
+import warp as wp
+
+from warpsph.kernels.bonds import BondList
+from warpsph.kernels.labels import Role
+from warpsph.kernels.smoothing import sine_slope, sine_value
+
+wp.set_module_options({"enable_backward": False})
+
+SMALLEST_DETERMINANT = wp.constant(0.15)
+
+
+@wp.struct
+class Elastic:
+    """Constants of the elastic solid.
+
+    ``support`` H [m]; ``scale`` normalisation of the sine kernel; ``lame_lambda``, ``lame_mu`` [Pa]; ``youngs_modulus``
+    [Pa]; ``hourglass`` strength of the hourglass control; ``corrected`` 1 where gradients are corrected by the
+    moment matrix, 0 for the form as published; ``depth`` 1 in 2D (the moment matrix has no third row there).
+    """
+
+    support: float
+    scale: float
+    lame_lambda: float
+    lame_mu: float
+    youngs_modulus: float
+    hourglass: float
+    corrected: int
+    planar: int
+
+
+@wp.kernel
+def _settle_volume(
+    first: int, froze: wp.array[int], mass: wp.array[float], density: wp.array[float], body_volume: wp.array[float]
+):
+    i = wp.tid() + first
+    if froze[i] != 0:
+        body_volume[i] = mass[i] / density[i]
+
+
+@wp.kernel
+def _invert_moments(
+    first: int,
+    elastic: Elastic,
+    bonds: BondList,
+    body_volume: wp.array[float],
+    correction: wp.array[wp.mat33],
+):
+    i = wp.tid() + first
+    if bonds.count[i] > 0:
+        moment = wp.mat33()
+        for b in range(bonds.count[i]):
+            X = bonds.separation[i * bonds.capacity + b]
+            slope = sine_slope(wp.dot(X, X), elastic.support)
+            moment -= wp.outer(X, X) * (body_volume[bonds.partner[i * bonds.capacity + b]] * slope)
+        moment = moment * elastic.scale
+        if elastic.planar != 0:
+            moment[2, 2] = 1.0
+        identity = wp.identity(n=3, dtype=float)
+        if elastic.corrected != 0 and wp.determinant(moment) > SMALLEST_DETERMINANT:
+            correction[i] = wp.inverse(moment)
+        else:
+            correction[i] = identity
+
+
+@wp.kernel
+def _find_stress(
+    first: int,
+    elastic: Elastic,
+    bonds: BondList,
+    position: wp.array[wp.vec3],
+    body_volume: wp.array[float],
+    correction: wp.array[wp.mat33],
+    deformation: wp.array[wp.mat33],
+    stress: wp.array[wp.mat33],
+):
+    i = wp.tid() + first
+    if bonds.count[i] > 0:
+        x_i = position[i]
+        gradient = wp.mat33()
+        for b in range(bonds.count[i]):
+            j = bonds.partner[i * bonds.capacity + b]
+            X = bonds.separation[i * bonds.capacity + b]
+            u_ij = position[j] - x_i + X  # Vijaykumar (4.6)
+            slope = body_volume[j] * sine_slope(wp.dot(X, X), elastic.support)
+            gradient += wp.outer(u_ij, X) * slope  # Vijaykumar (4.9), transposed
+        gradient = gradient * elastic.scale * correction[i]
+        identity = wp.identity(n=3, dtype=float)
+        F = identity + gradient
+        strain = 0.5 * (wp.transpose(F) * F - identity)  # Vijaykumar (4.3)
+        sigma = 2.0 * elastic.lame_mu * strain + elastic.lame_lambda * wp.trace(strain) * identity  # (4.5)
+        deformation[i] = F
+        stress[i] = F * sigma * correction[i]
+
+
+@wp.kernel
+def _add_elastic_force(
+    first: int,
+    elastic: Elastic,
+    bonds: BondList,
+    position: wp.array[wp.vec3],
+    role: wp.array[int],
+    mass: wp.array[float],
+    body_volume: wp.array[float],
+    deformation: wp.array[wp.mat33],
+    stress: wp.array[wp.mat33],
+    acceleration: wp.array[wp.vec3],
+):
+    i = wp.tid() + first
+    if bonds.count[i] > 0 and role[i] == Role.FREE:
+        x_i = position[i]
+        F_i = deformation[i]
+        P_i = stress[i]
+        force = wp.vec3()
+        for b in range(bonds.count[i]):
+            j = bonds.partner[i * bonds.capacity + b]
+            X = bonds.separation[i * bonds.capacity + b]
+            R_squared = wp.dot(X, X)
+            v_j = body_volume[j]
+            # Vijaykumar (4.13), (4.14) as in his pseudo-code 4.4, gathered over both ends of the bond
+            force += (P_i + stress[j]) * X * (v_j * elastic.scale * sine_slope(R_squared, elastic.support))
+            if elastic.hourglass > 0.0:
+                # Ganzenmueller (2015), equations 17-20
+                x = x_i - position[j]
+                r = wp.length(x) + 1.0e-12
+                miss = wp.dot(F_i * X + deformation[j] * X - 2.0 * x, x) / r
+                weight = v_j * elastic.scale * sine_value(R_squared, elastic.support) / R_squared
+                force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss / r)
+        acceleration[i] += force * (body_volume[i] / mass[i])
+
+
+def settle_bodies(launch, elastic, bonds, froze, mass, density, body_volume, correction) -> None:
+    """Fix the body volume of particles that just froze and renew every moment matrix after bonds have changed.
+
+    ``body_volume`` (n,) [m^3, or m^2 in 2D] is the volume at freezing (Vijaykumar 2012, section 4.2); ``correction``
+    (n,) is the inverse of the moment matrix of each particle's bonds, the identity where that is nearly singular.
+    """
+    launch(_settle_volume, mass.shape[0], [froze, mass, density, body_volume])
+    launch(_invert_moments, mass.shape[0], [elastic, bonds, body_volume, correction])
+
+
+def add_elastic_forces(
+    launch, elastic, bonds, position, role, mass, body_volume, correction, deformation, stress, acceleration
+) -> None:
+    """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
+
+    Vijaykumar (2012), equations (4.3)-(4.14), with the displacement gradient corrected by the moment matrix so that a
+    turned body feels no force; zero-energy modes are held down as by Ganzenmueller (2015).
+    ``deformation`` (n,) holds the deformation gradient, ``stress`` (n,) the corrected first Piola-Kirchhoff stress [Pa].
+    """
+    n = position.shape[0]
+    launch(_find_stress, n, [elastic, bonds, position, body_volume, correction, deformation, stress])
+    launch(
+        _add_elastic_force,
+        n,
+        [elastic, bonds, position, role, mass, body_volume, deformation, stress, acceleration],
+    )

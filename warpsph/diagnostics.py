@@ -1,0 +1,33 @@
+"""Numbers that every run keeps over time, taken from a copy of the state on the host."""
+
+import numpy as np
+
+from warpsph.labels import Role
+
+Snapshot = dict[str, np.ndarray]
+
+
+def common_diagnostics(state: Snapshot) -> dict[str, float]:
+    """Kinetic energy [J], highest speed [m/s], and with a fluid the range of its density [kg/m^3].
+
+    Per metre of depth in 2D; over the particles that flow.
+    """
+    flowing = np.isin(state["role"], (Role.FREE, Role.INFLOW, Role.OUTFLOW))
+    if not np.any(flowing):
+        return {}
+    speed_squared = np.sum(state["velocity"][flowing].astype(float) ** 2, axis=1)
+    values = {
+        "kinetic_energy": 0.5 * float(np.sum(state["mass"][flowing] * speed_squared)),
+        "highest_speed": float(np.sqrt(np.max(speed_squared))),
+    }
+    if "density" in state:
+        values["density_min"] = float(np.min(state["density"][flowing]))
+        values["density_max"] = float(np.max(state["density"][flowing]))
+    return values
+
+
+def enthalpy_by_material(state: Snapshot, materials: int) -> np.ndarray:
+    """Enthalpy [J] of the particles that take part, by material (per metre of depth in 2D)."""
+    taking_part = state["role"] != Role.RESERVOIR
+    content = state["mass"].astype(float) * state["enthalpy"]
+    return np.bincount(state["material"][taking_part], content[taking_part], materials)

@@ -1,0 +1,161 @@
+"""Materials as data: enthalpy curve, conductivity, viscosity, with the source of the numbers."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsph.errors import InputError
+
+
+@dataclass(frozen=True)
+class Material:
+    """One material.
+
+    Args:
+        name: for messages and pictures.
+        density: reference density [kg/m^3].
+        temperatures: nodes of the enthalpy curve [K], rising strictly.
+        enthalpies: specific enthalpy at the nodes [J/kg], rising strictly; linear between and beyond the nodes.
+        conductivity_solid, conductivity_liquid: thermal conductivity [W/(m K)], linear in the solid fraction between.
+        viscosity: dynamic viscosity of the fluid [Pa s].
+        solidus, liquidus: melting range [K].
+        source: where the numbers come from.
+    """
+
+    name: str
+    density: float
+    temperatures: tuple[float, ...]
+    enthalpies: tuple[float, ...]
+    conductivity_solid: float
+    conductivity_liquid: float
+    viscosity: float
+    solidus: float
+    liquidus: float
+    source: str
+
+    def __post_init__(self) -> None:
+        for label, nodes in (("temperatures", self.temperatures), ("enthalpies", self.enthalpies)):
+            if len(nodes) < 2 or np.any(np.diff(nodes) <= 0.0):
+                raise InputError(f"material {self.name}: {label} need two or more nodes that rise strictly")
+        if len(self.temperatures) != len(self.enthalpies):
+            raise InputError(f"material {self.name}: as many temperatures as enthalpies are needed")
+        if not self.solidus < self.liquidus:
+            raise InputError(f"material {self.name}: solidus {self.solidus} K must lie below liquidus {self.liquidus} K")
+
+    def enthalpy(self, temperature: float | np.ndarray) -> float | np.ndarray:
+        """Specific enthalpy [J/kg] at a temperature [K]."""
+        return _piecewise_linear(temperature, self.temperatures, self.enthalpies)
+
+    def temperature(self, enthalpy: float | np.ndarray) -> float | np.ndarray:
+        """Temperature [K] at a specific enthalpy [J/kg]."""
+        return _piecewise_linear(enthalpy, self.enthalpies, self.temperatures)
+
+    def solid_fraction(self, temperature: float | np.ndarray) -> float | np.ndarray:
+        """Solid fraction at a temperature [K]."""
+        return np.clip((self.liquidus - np.asarray(temperature)) / (self.liquidus - self.solidus), 0.0, 1.0)
+
+
+def _piecewise_linear(x, nodes, values):
+    nodes, values = np.asarray(nodes, float), np.asarray(values, float)
+    segment = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
+    slope = np.diff(values) / np.diff(nodes)
+    return values[segment] + slope[segment] * (np.asarray(x, float) - nodes[segment])
+
+
+def melting_material(
+    name: str,
+    *,
+    density: float,
+    heat_capacity: float,
+    latent_heat: float,
+    solidus: float,
+    liquidus: float,
+    conductivity_solid: float,
+    conductivity_liquid: float,
+    viscosity: float,
+    source: str,
+) -> Material:
+    """A material of constant heat capacity [J/(kg K)] whose latent heat [J/kg] is spread evenly over its melting range.
+
+    The enthalpy counts from 0 K: ``heat_capacity * T`` below the solidus.
+    """
+    top = liquidus + 1000.0
+    at_solidus = heat_capacity * solidus
+    at_liquidus = at_solidus + heat_capacity * (liquidus - solidus) + latent_heat
+    return Material(
+        name=name,
+        density=density,
+        temperatures=(0.0, solidus, liquidus, top),
+        enthalpies=(0.0, at_solidus, at_liquidus, at_liquidus + heat_capacity * (top - liquidus)),
+        conductivity_solid=conductivity_solid,
+        conductivity_liquid=conductivity_liquid,
+        viscosity=viscosity,
+        solidus=solidus,
+        liquidus=liquidus,
+        source=source,
+    )
+
+
+def inert(name: str, density: float, viscosity: float = 0.0) -> Material:
+    """A material that conducts no heat and never melts, for dummies and for flows without heat."""
+    return Material(
+        name=name,
+        density=density,
+        temperatures=(0.0, 1000.0),
+        enthalpies=(0.0, 1.0e6),
+        conductivity_solid=0.0,
+        conductivity_liquid=0.0,
+        viscosity=viscosity,
+        solidus=1.0e9,
+        liquidus=2.0e9,
+        source="inert by definition",
+    )
+
+
+COPPER = Material(
+    name="copper",
+    density=8940.0,
+    temperatures=(0.0, 1000.0),
+    enthalpies=(0.0, 387.0e3),
+    conductivity_solid=350.0,
+    conductivity_liquid=350.0,
+    viscosity=0.0,
+    solidus=1357.0,
+    liquidus=1358.0,
+    source="copper of casting moulds: k 350 W/(m K), rho 8940 kg/m^3, c_p 387 J/(kg K), usual in casting literature",
+)
+
+WATER = Material(
+    name="water",
+    density=998.0,
+    temperatures=(0.0, 373.15, 374.15),
+    enthalpies=(0.0, 4190.0 * 373.15, 4190.0 * 373.15 + 2.257e6),
+    conductivity_solid=1.0e4,
+    conductivity_liquid=1.0e4,
+    viscosity=0.0,
+    solidus=272.15,
+    liquidus=273.15,
+    source="water: c_p 4190 J/(kg K), latent heat of vaporisation 2.257 MJ/kg (handbook values); conductivity 'very "
+    "large', so that the metal decides (Vijaykumar 2012, section 6.4)",
+)
+
+
+def thesis_steel(density: float = 2100.0, conductivity_liquid: float = 300.0, viscosity: float = 6.0) -> Material:
+    """Steel as the casting thesis needs it: light, a thousandfold viscous, and a melt that conducts ten times better.
+
+    Density and viscosity after Vijaykumar (2012), sections 7.5.1 and 7.5.4. Heat capacity, latent heat and melting
+    range are rounded values of low-carbon steel; the thesis leaves them unsaid. The conductivity of the melt stands
+    for turbulent mixing, as is usual in casting models.
+    """
+    return melting_material(
+        "steel",
+        density=density,
+        heat_capacity=700.0,
+        latent_heat=272.0e3,
+        solidus=1450.0 + 273.15,
+        liquidus=1500.0 + 273.15,
+        conductivity_solid=30.0,
+        conductivity_liquid=conductivity_liquid,
+        viscosity=viscosity,
+        source="Vijaykumar (2012), section 7.5, completed with rounded values of low-carbon steel",
+    )

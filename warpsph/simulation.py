@@ -1,0 +1,307 @@
+"""A run: the clock, the schedule of output and diagnostics, progress, and the watch over divergence."""
+
+import time as wall_clock
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from warpsph.device import Executor
+from warpsph.diagnostics import Snapshot, common_diagnostics
+from warpsph.errors import DivergenceError, InputError
+from warpsph.labels import Role
+from warpsph.model import Model
+from warpsph.output import ResultWriter
+from warpsph.particles import Particles
+from warpsph.provenance import provenance
+from warpsph.solver import BoundaryDevice, Solver
+from warpsph.state import State
+from warpsph.timestep import conduction_limits, time_step_limits
+
+FRAME_FIELDS = (
+    "id", "role", "material", "phase", "velocity", "density", "pressure", "temperature", "enthalpy", "solid_fraction",
+)  # fmt: skip
+SECONDS_BETWEEN_LOOKS = 0.25
+
+
+@dataclass
+class Progress:
+    """Where a run stands: physical time and its end [s], steps done, speed, wall time left [s], and a note."""
+
+    time: float
+    duration: float
+    steps: int
+    steps_per_second: float
+    seconds_left: float
+    note: str = ""
+
+
+@dataclass
+class Result:
+    """What a run leaves: the final state as NumPy arrays and the diagnostics as time series.
+
+    ``positions`` (n, 3) [m] and ``fields`` (n, ...) hold every particle in the order of its id, those in the reservoir
+    too; ``status`` is "complete" or "interrupted"; ``summary`` pairs a label with a text for people.
+    """
+
+    positions: np.ndarray
+    fields: dict[str, np.ndarray]
+    diagnostics: dict[str, np.ndarray]
+    events: list[tuple[float, str]]
+    time: float
+    steps: int
+    status: str
+    wall_time: float
+    summary: dict[str, str] = field(default_factory=dict)
+
+
+class Simulation:
+    """Particles, physics and devices, ready to run.
+
+    Args:
+        executor: where to run.
+        model: physics.
+        particles: initial particles.
+        devices: boundary devices, in the order in which they act.
+        lower, upper: box that holds the particles [m], by default theirs with a margin.
+        dt: time step [s], by default the largest stable one; a larger one is refused.
+        speed_limit: speed at which the run counts as diverged [m/s]; by default five times the sound speed.
+        observe: gives the scenario's own diagnostics from a snapshot and the time.
+        describe: gives the note of the progress bar and the summary from the latest diagnostics.
+    """
+
+    def __init__(
+        self,
+        executor: Executor,
+        model: Model,
+        particles: Particles,
+        *,
+        devices: Sequence[BoundaryDevice] = (),
+        lower: Sequence[float] | None = None,
+        upper: Sequence[float] | None = None,
+        dt: float | None = None,
+        speed_limit: float | None = None,
+        observe: Callable[[Snapshot, float], dict[str, float | np.ndarray]] | None = None,
+        describe: Callable[[dict[str, float | np.ndarray]], str] | None = None,
+    ):
+        self.executor, self.model = executor, model
+        self.observe, self.describe = observe, describe
+        self.limits = time_step_limits(model, tuple(np.unique(particles.material[particles.role == Role.FREE])))
+        self.longest_step = _choose_step(dt, self.limits)
+        self.heat_every = 1
+        if model.conduction is not None:
+            self.heat_limits = conduction_limits(model)
+            longest = min(self.heat_limits.values())
+            if model.fluid is None:
+                self.longest_step = _choose_step(dt, self.heat_limits)
+            else:
+                self.heat_every = max(int(longest / self.longest_step), 1)
+                self.longest_step = min(self.longest_step, longest)
+        if not np.isfinite(self.longest_step):
+            raise InputError("dt: nothing limits the time step of this case; give one")
+        margin = 4.0 * model.support
+        lower = particles.position.min(axis=0) - margin if lower is None else np.asarray(lower)
+        upper = particles.position.max(axis=0) + margin if upper is None else np.asarray(upper)
+        if speed_limit is None:
+            speed_limit = 5.0 * model.fluid.sound_speed if model.fluid else 1.0e6
+        self.state = State(particles, model, executor.device)
+        self.solver = Solver(
+            executor, model, self.state, devices, self.longest_step, self.heat_every, lower, upper, speed_limit
+        )
+        self.events: list[tuple[float, str]] = []
+        self._new_events: list[tuple[float, str]] = []
+
+    @property
+    def time(self) -> float:
+        """Simulated time [s]."""
+        return float(self.solver.time.numpy()[0])
+
+    def note_event(self, time: float, text: str) -> None:
+        """Keep that ``text`` happened at ``time`` [s]; it goes to the file and to the result."""
+        self.events.append((time, text))
+        self._new_events.append((time, text))
+
+    def snapshot(self) -> Snapshot:
+        """A copy of all per-particle arrays on the host, in the order of the ids."""
+        order = np.argsort(self.state.numpy("id"))
+        return {name: self.state.numpy(name)[order] for name in self.state.per_particle if "carry" not in name}
+
+    def run(
+        self,
+        duration: float,
+        output_interval: float,
+        *,
+        output: Path | None = None,
+        overwrite: bool = False,
+        progress: Callable[[Progress], None] | None = None,
+        parameters: dict | None = None,
+    ) -> Result:
+        """Simulate for ``duration`` [s].
+
+        Args:
+            duration: physical time [s].
+            output_interval: physical time between two frames and diagnostics [s].
+            output: result file, none by default.
+            overwrite: whether an existing file may be replaced.
+            progress: called a few times a second.
+            parameters: the resolved case, stored in the file.
+
+        Raises:
+            InputError: the file cannot be made.
+            DivergenceError: the simulation diverged; the frames before are kept.
+        """
+        writer = self._open(output, overwrite, parameters or {})
+        started = wall_clock.perf_counter()
+        recorder = _Recorder(self, writer)
+        status = "complete"
+        try:
+            self._record(min(output_interval, duration))
+            recorder.keep()
+            cycles_done, cycles = 0, max(round(duration / self._cycle_time), 1)
+            per_frame = max(round(output_interval / self._cycle_time), 1)
+            meter = _Meter(self, duration, progress)
+            while cycles_done < cycles and status == "complete":
+                until_frame = min(per_frame - cycles_done % per_frame, cycles - cycles_done)
+                batch = min(meter.cycles_at_once, until_frame)
+                try:
+                    self.executor.replay(self._schedule * batch)
+                except KeyboardInterrupt:
+                    status = "interrupted"
+                cycles_done += batch
+                self._look()
+                if batch == until_frame or status == "interrupted":
+                    recorder.keep()
+                meter.update(batch, cycles_done, recorder.note)
+        except DivergenceError:
+            status = "diverged"
+            raise
+        finally:
+            wall_time = wall_clock.perf_counter() - started
+            if writer is not None:
+                writer.finish(status=status, wall_time=wall_time, steps=int(self.solver.steps.numpy()[0]))
+                writer.close()
+        return self._result(recorder, status, wall_time)
+
+    def _open(self, output: Path | None, overwrite: bool, parameters: dict) -> ResultWriter | None:
+        if output is None:
+            return None
+        facts = provenance(self.executor.device_name, self.executor.threads) | {
+            "spacing": self.model.spacing,
+            "dimension": self.model.dimension,
+            "materials": [material.name for material in self.model.materials],
+        }
+        return ResultWriter(output, parameters, facts, overwrite)
+
+    def _record(self, interval: float) -> None:
+        """Fit the time step to the output interval and record the cycle of ``heat_every`` steps."""
+        solver = self.solver
+        cycles = int(np.ceil(interval / (self.heat_every * self.longest_step) - 1e-9))
+        self._cycle_time = interval / cycles
+        solver.dt = self._cycle_time / self.heat_every
+        solver.prepare()
+        with_heat = self.model.conduction is not None
+        last = self.executor.record(solver.step_with_heat if with_heat else solver.step)
+        self._schedule = [(last, 1)]
+        if self.heat_every > 1:
+            self._schedule.insert(0, (self.executor.record(solver.step), self.heat_every - 1))
+
+    def _look(self) -> None:
+        """Stop a run that has diverged or whose lists were too short."""
+        solver = self.solver
+        for rows, limit in (
+            (solver.neighbours.longest_row, solver.neighbours.list.capacity),
+            (solver.longest_bond_row, self.state.bonds.capacity if self.state.bonds is not None else 0),
+        ):
+            if (length := int(rows.numpy()[0])) > 0:
+                raise DivergenceError(
+                    f"{length} neighbours around one particle, {limit} expected at most, before t = {self.time:.6g} s: "
+                    "particles have collapsed onto each other; a smaller time step or a higher sound speed may help"
+                )
+        if (index := int(solver.runaway.numpy()[0])) > 0:
+            s = self.state
+            place = ", ".join(f"{x:.4g}" for x in s.numpy("position")[index - 1])
+            speed = float(np.linalg.norm(s.numpy("velocity")[index - 1]))
+            name = self.model.materials[s.numpy("material")[index - 1]].name
+            role = Role(int(s.numpy("role")[index - 1])).name.lower()
+            raise DivergenceError(
+                f"diverged before t = {self.time:.6g} s: particle {s.numpy('id')[index - 1]} ({role}, {name}) at "
+                f"({place}) m has speed {speed:.4g} m/s, limit {solver.speed_limit:.4g} m/s; "
+                f"dt = {solver.dt:.3g} s against limits {_listed(self.limits)}"
+            )
+
+    def _result(self, recorder: "_Recorder", status: str, wall_time: float) -> Result:
+        fields = self.snapshot()
+        positions = fields.pop("position")
+        diagnostics = {name: np.array(values) for name, values in recorder.series.items()}
+        steps = int(self.solver.steps.numpy()[0])
+        summary = {"simulated": f"{self.time:.4g} s in {steps} steps of {self.solver.dt:.3g} s"}
+        if recorder.note:
+            summary["at the end"] = recorder.note
+        return Result(
+            positions, fields, diagnostics, self.events, self.time, steps, status, wall_time, summary
+        )
+
+
+class _Recorder:
+    """Keeps frames and diagnostics, in the file and in memory."""
+
+    def __init__(self, simulation: Simulation, writer: ResultWriter | None):
+        self.simulation, self.writer = simulation, writer
+        self.series: dict[str, list] = {"time": []}
+        self.note = ""
+
+    def keep(self) -> None:
+        simulation, time = self.simulation, self.simulation.time
+        snapshot = simulation.snapshot()
+        values = common_diagnostics(snapshot)
+        if simulation.observe is not None:
+            values |= simulation.observe(snapshot, time)
+        self.series["time"].append(time)
+        for name, value in values.items():
+            self.series.setdefault(name, []).append(value)
+        if simulation.describe is not None:
+            self.note = simulation.describe(values)
+        if self.writer is not None:
+            present = snapshot["role"] != Role.RESERVOIR
+            fields = {name: snapshot[name][present] for name in FRAME_FIELDS if name in snapshot}
+            self.writer.write_frame(time, snapshot["position"][present], fields)
+            self.writer.write_diagnostics(time, values)
+            for event in simulation._new_events:
+                self.writer.write_event(*event)
+        simulation._new_events.clear()
+
+
+class _Meter:
+    """Measures the speed of a run, reports progress, and sizes the batches between two looks."""
+
+    def __init__(self, simulation: Simulation, duration: float, report: Callable[[Progress], None] | None):
+        self.simulation, self.duration, self.report = simulation, duration, report
+        self.cycles_at_once = 1
+        self.started = self.last = wall_clock.perf_counter()
+
+    def update(self, batch: int, cycles_done: int, note: str) -> None:
+        now = wall_clock.perf_counter()
+        per_cycle = max(now - self.last, 1e-6) / batch
+        self.last = now
+        self.cycles_at_once = max(1, min(int(SECONDS_BETWEEN_LOOKS / per_cycle), 4 * self.cycles_at_once))
+        if self.report is None:
+            return
+        time = self.simulation.time
+        steps = cycles_done * self.simulation.heat_every
+        speed = steps / (now - self.started)
+        left = max(self.duration - time, 0.0) / self.simulation.solver.dt / max(speed, 1e-9)
+        self.report(Progress(time, self.duration, steps, speed, left, note))
+
+
+def _choose_step(dt: float | None, limits: dict[str, float]) -> float:
+    longest = min(limits.values(), default=np.inf)
+    if dt is None:
+        return longest
+    if dt > longest * (1.0 + 1e-9):
+        raise InputError(f"time step {dt:.3g} s is too long; limits: {_listed(limits)}")
+    return dt
+
+
+def _listed(limits: dict[str, float]) -> str:
+    return ", ".join(f"{reason} {limit:.3g} s" for reason, limit in limits.items())

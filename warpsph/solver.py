@@ -1,0 +1,294 @@
+"""One step of the simulation, term by term."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+import warp as wp
+
+from warpsph.device import Executor
+from warpsph.kernels import bonds, conduction, density, elasticity, forces, motion, neighbours, phase, wall_pressure
+from warpsph.kernels.smoothing import normalisation
+from warpsph.model import Model
+from warpsph.neighbours import Neighbours
+from warpsph.state import State
+
+
+class BoundaryDevice(Protocol):
+    """Something at the boundary that acts on the particles: mould, inlet, outflow, spray, symmetry plane."""
+
+    def bind(self, solver: "Solver") -> None:
+        """Allocate what the device needs; the state is complete when all devices are bound."""
+
+    def after_density(self, dt: float) -> None:
+        """Act between the pressure and the forces of a step."""
+
+    def after_move(self, dt: float) -> None:
+        """Act at the end of a step."""
+
+    def after_heat(self, interval: float) -> None:
+        """Act after heat has been conducted for ``interval`` [s], before phases change."""
+
+
+class Solver:
+    """Advances the state; knows no file, no picture and no schedule.
+
+    A step moves the flow by ``dt``; every ``heat_every`` steps a step with heat conducts for all of them at once.
+
+    Args:
+        executor: launches.
+        model: what stays the same.
+        state: what changes.
+        devices: boundary devices, in the order in which they act.
+        dt: time step [s].
+        heat_every: steps between two conduction steps.
+        lower, upper: box of the neighbour grid [m].
+        speed_limit: speed that no particle can have unless the simulation has diverged [m/s].
+        skin: of the neighbour list, in spacings.
+    """
+
+    def __init__(
+        self,
+        executor: Executor,
+        model: Model,
+        state: State,
+        devices: Sequence[BoundaryDevice],
+        dt: float,
+        heat_every: int,
+        lower: np.ndarray,
+        upper: np.ndarray,
+        speed_limit: float,
+        skin: float = 0.3,
+    ):
+        self.executor, self.model, self.state, self.devices = executor, model, state, list(devices)
+        self.dt, self.heat_every, self.speed_limit = dt, heat_every, speed_limit
+        self.time = wp.zeros(1, dtype=wp.float64, device=executor.device)
+        self.steps = wp.zeros(1, dtype=int, device=executor.device)
+        self.runaway = wp.zeros(1, dtype=int, device=executor.device)
+        self.phase_changed = wp.zeros(1, dtype=int, device=executor.device)
+        self.bond_events = wp.zeros(1, dtype=int, device=executor.device)
+        self.longest_bond_row = wp.zeros(1, dtype=int, device=executor.device)
+        self.neighbours = Neighbours(
+            executor,
+            state,
+            model.support,
+            skin * model.spacing,
+            lower,
+            upper,
+            model.dimension,
+            len(model.materials),
+            model.spacing,
+        )
+        self.fluid = _fluid_constants(model) if model.fluid else None
+        self.elastic = _elastic_constants(model) if model.elasticity else None
+        if model.conduction:
+            self.thermal_table = _thermal_table(model, executor.device)
+            self.conduction_scale = (
+                normalisation("poly6", model.dimension, model.support) / model.lattice_conduction()
+            )
+        for device in self.devices:
+            device.bind(self)
+
+    def prepare(self) -> None:
+        """Bring the derived quantities of the initial state up to date: neighbours, temperature, phase, bonds, density."""
+        if self.model.conduction:
+            self._find_temperature()
+        self.neighbours.renew_if_outdated()
+        if self.model.fluid:
+            self._find_density()
+        if self.model.phase_change:
+            self._change_phase()
+
+    def step(self) -> None:
+        """Advance the flow by one time step."""
+        self.neighbours.renew_if_outdated()
+        if self.model.fluid:
+            self._find_density()
+            for device in self.devices:
+                device.after_density(self.dt)
+            self._find_forces()
+        if self.model.elasticity:
+            self._add_elastic_forces()
+        self._move()
+        for device in self.devices:
+            device.after_move(self.dt)
+        self._watch()
+
+    def step_with_heat(self) -> None:
+        """Advance the flow by one time step, and heat by as many as have passed since the last conduction."""
+        self.step()
+        self.neighbours.renew_if_outdated()
+        interval = self.heat_every * self.dt
+        self._conduct(interval)
+        for device in self.devices:
+            device.after_heat(interval)
+        self._find_temperature()
+        if self.model.phase_change:
+            self._change_phase()
+
+    def _find_density(self) -> None:
+        s = self.state
+        density.sum_density(
+            self.executor,
+            self.fluid,
+            self.neighbours.list,
+            s.position,
+            s.fluid_mass,
+            s.role,
+            s.density,
+            s.pressure,
+            s.volume,
+        )
+        wall_pressure.extrapolate_pressure(
+            self.executor, self.fluid, self.neighbours.list, s.position, s.density, s.role, s.pressure
+        )
+
+    def _find_forces(self) -> None:
+        s = self.state
+        forces.sum_forces(
+            self.executor,
+            self.fluid,
+            self.neighbours.list,
+            s.position,
+            s.velocity,
+            s.density,
+            s.pressure,
+            s.volume,
+            s.viscosity,
+            s.role,
+            s.acceleration,
+        )
+
+    def _add_elastic_forces(self) -> None:
+        s = self.state
+        elasticity.add_elastic_forces(
+            self.executor,
+            self.elastic,
+            s.bonds,
+            s.position,
+            s.role,
+            s.mass,
+            s.body_volume,
+            s.correction,
+            s.deformation,
+            s.stress,
+            s.acceleration,
+        )
+
+    def _move(self) -> None:
+        s = self.state
+        if self.model.fluid:
+            motion.kick(self.executor, self.dt, s.role, s.acceleration, s.velocity)
+        motion.drift(self.executor, self.dt, s.role, s.velocity, s.position, s.position_carry)
+        motion.advance_clock(self.executor, self.dt, self.time, self.steps)
+
+    def _watch(self) -> None:
+        s, n = self.state, self.neighbours
+        motion.watch(
+            self.executor,
+            s.role,
+            s.position,
+            s.velocity,
+            n.reference,
+            n.half_skin,
+            self.speed_limit,
+            n.outdated,
+            self.runaway,
+        )
+
+    def _conduct(self, interval: float) -> None:
+        s = self.state
+        conduction.sum_heat(
+            self.executor,
+            self.thermal_table,
+            self.neighbours.list,
+            self.model.support,
+            self.conduction_scale,
+            s.position,
+            s.temperature,
+            s.conductivity,
+            s.thermal_volume,
+            s.material,
+            s.heat_rate,
+        )
+        conduction.add_heat(
+            self.executor, interval, s.role, s.heat_rate, s.mass, s.held, s.enthalpy, s.enthalpy_carry, s.heat_held
+        )
+
+    def _find_temperature(self) -> None:
+        s = self.state
+        conduction.update_temperature(
+            self.executor, self.thermal_table, s.material, s.enthalpy, s.temperature, s.solid_fraction, s.conductivity
+        )
+
+    def _change_phase(self) -> None:
+        s, rule = self.state, self.model.phase_change
+        phase.switch_phase(
+            self.executor,
+            rule.freeze_above,
+            rule.melt_below,
+            s.role,
+            s.solid_fraction,
+            s.phase,
+            s.froze,
+            self.phase_changed,
+        )
+        if self.model.elasticity:
+            self.executor.when(self.phase_changed, self._renew_bonds)
+
+    def _renew_bonds(self) -> None:
+        s, n = self.state, self.neighbours
+        bonds.update_bonds(
+            self.executor, self.model.support, n.list, s.position, s.phase, s.froze, s.bonds, self.longest_bond_row
+        )
+        elasticity.settle_bodies(
+            self.executor, self.elastic, s.bonds, s.froze, s.mass, s.density, s.body_volume, s.correction
+        )
+        bonds.mark_bonded_neighbours(self.executor, n.list, s.bonds)
+        neighbours.clear_flag(self.executor, self.phase_changed, self.bond_events)
+
+
+def _fluid_constants(model: Model) -> density.Fluid:
+    constants = density.Fluid()
+    constants.support = model.support
+    constants.density_scale = normalisation("poly6", model.dimension, model.support)
+    constants.reference_density = model.fluid.reference_density
+    constants.stiffness = model.fluid.sound_speed**2 * model.fluid.reference_density / 7.0
+    constants.lowest_pressure = -1.0e30 if model.fluid.tension else 0.0
+    constants.pressure_scale = normalisation("spiky", model.dimension, model.support) / model.lattice_gradient()
+    constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support)
+    constants.gravity = wp.vec3(*model.gravity)
+    return constants
+
+
+def _elastic_constants(model: Model) -> elasticity.Elastic:
+    constants = elasticity.Elastic()
+    constants.support = model.support
+    constants.scale = normalisation("sine", model.dimension, model.support)
+    constants.lame_lambda, constants.lame_mu = model.elasticity.lame
+    constants.youngs_modulus = model.elasticity.youngs_modulus
+    constants.hourglass = model.elasticity.hourglass
+    constants.corrected = int(model.elasticity.corrected)
+    constants.planar = int(model.dimension == 2)
+    return constants
+
+
+def _thermal_table(model: Model, device: wp.Device) -> conduction.ThermalTable:
+    nodes = max(len(m.temperatures) for m in model.materials)
+    temperature, enthalpy = (np.zeros((len(model.materials), nodes)) for _ in range(2))
+    for index, material in enumerate(model.materials):
+        highest = material.temperatures[-1] + np.arange(1, nodes - len(material.temperatures) + 1)
+        temperature[index] = np.concatenate([material.temperatures, highest])
+        enthalpy[index] = material.enthalpy(temperature[index])
+    contact = np.full((len(model.materials),) * 2, -1.0)
+    for (a, b), conductivity in model.conduction.contact.items():
+        contact[a, b] = contact[b, a] = conductivity
+    table = conduction.ThermalTable()
+    table.temperature = wp.array(temperature, dtype=float, device=device)
+    table.enthalpy = wp.array(enthalpy, dtype=float, device=device)
+    table.contact = wp.array(contact, dtype=float, device=device)
+    for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
+        setattr(
+            table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device)
+        )
+    return table

@@ -1,0 +1,93 @@
+"""What changes in a run: one array per quantity, one entry per particle."""
+
+import numpy as np
+import warp as wp
+
+from warpsph.kernels.bonds import BondList
+from warpsph.labels import Phase, Role
+from warpsph.model import Model
+from warpsph.particles import Particles
+
+
+class State:
+    """Particles on the device, as a structure of arrays.
+
+    Always: ``id`` (stable for the whole run), ``role``, ``material``, ``position`` [m] with ``position_carry``,
+    ``velocity`` [m/s], ``mass`` [kg] (per metre of depth in 2D). With a fluid: ``acceleration`` [m/s^2], ``density``
+    [kg/m^3], ``pressure`` [Pa], ``volume`` [m^3 or m^2], ``viscosity`` [Pa s], and ``fluid_mass`` [kg], the mass with
+    which a particle enters the sums of the fluid (walls count like the fluid, spray does not count). With conduction:
+    ``enthalpy`` [J/kg] with ``enthalpy_carry``, ``temperature`` [K], ``solid_fraction``, ``conductivity`` [W/(m K)],
+    ``thermal_volume``, ``heat_rate`` [W], ``held``, ``heat_held`` [J]. With phase change: ``phase``, ``froze``. With
+    elasticity: ``bonds``, ``body_volume``, ``correction``, ``deformation``, ``stress``. Devices may add arrays by
+    :meth:`add`; all arrays move with their particles when these are sorted.
+    """
+
+    def __init__(self, particles: Particles, model: Model, device: wp.Device):
+        self.device = device
+        self.count = n = len(particles)
+        self.per_particle: dict[str, wp.array] = {}
+        self.bonds: BondList | None = None
+        role, material = particles.role, particles.material
+        densities = np.array([m.density for m in model.materials])
+        cell_volume = model.cell_volume
+
+        self.add("id", np.arange(n), int)
+        self.add("role", role, int)
+        self.add("material", material, int)
+        self.add("position", particles.position, wp.vec3)
+        self.add("position_carry", np.zeros((n, 3)), wp.vec3)
+        self.add("velocity", particles.velocity, wp.vec3)
+        mass = densities[material] * cell_volume
+        self.add("phase", np.full(n, int(Phase.LIQUID)), int)
+        if model.fluid is not None:
+            fluid_mass = np.where(role == Role.SPRAY, 0.0, model.fluid.reference_density * cell_volume)
+            fluid_mass /= model.lattice_density()
+            flows = np.isin(role, (Role.FREE, Role.INFLOW, Role.OUTFLOW, Role.RESERVOIR))
+            mass = np.where(flows & (role != Role.SPRAY), fluid_mass, mass)
+            self.add("fluid_mass", fluid_mass, float)
+            self.add("density", np.full(n, model.fluid.reference_density), float)
+            self.add("pressure", np.zeros(n), float)
+            self.add("volume", fluid_mass / model.fluid.reference_density, float)
+            self.add("viscosity", np.array([m.viscosity for m in model.materials])[material], float)
+            self.add("acceleration", np.zeros((n, 3)), wp.vec3)
+        self.add("mass", mass, float)
+        if model.conduction is not None:
+            enthalpy = np.zeros(n)
+            for index, substance in enumerate(model.materials):
+                mine = material == index
+                enthalpy[mine] = substance.enthalpy(particles.temperature[mine])
+            self.add("enthalpy", enthalpy, float)
+            self.add("enthalpy_carry", np.zeros(n), float)
+            self.add("temperature", particles.temperature, float)
+            self.add("solid_fraction", np.zeros(n), float)
+            self.add("conductivity", np.zeros(n), float)
+            self.add("thermal_volume", mass / densities[material], float)
+            self.add("heat_rate", np.zeros(n), float)
+            self.add("held", particles.held, int)
+            self.add("heat_held", np.zeros(n), wp.float64)
+        if model.phase_change is not None:
+            self.add("froze", np.zeros(n), int)
+        if model.elasticity is not None:
+            self.bonds = _empty_bonds(n, model, device)
+            self.add("body_volume", np.zeros(n), float)
+            for name in ("correction", "deformation", "stress"):
+                self.add(name, np.zeros((n, 3, 3)), wp.mat33)
+
+    def add(self, name: str, values: np.ndarray, dtype: type) -> None:
+        """Add a per-particle array under ``name`` with the given start values (n, ...)."""
+        array = wp.array(np.ascontiguousarray(values), dtype=dtype, device=self.device)
+        self.per_particle[name] = array
+        setattr(self, name, array)
+
+    def numpy(self, name: str) -> np.ndarray:
+        """A copy of one array on the host."""
+        return self.per_particle[name].numpy().copy()
+
+
+def _empty_bonds(n: int, model: Model, device: wp.Device) -> BondList:
+    bonds = BondList()
+    bonds.capacity = int(1.6 * len(model.lattice_offsets())) + 4
+    bonds.count = wp.zeros(n, dtype=int, device=device)
+    bonds.partner = wp.zeros(n * bonds.capacity, dtype=int, device=device)
+    bonds.separation = wp.zeros(n * bonds.capacity, dtype=wp.vec3, device=device)
+    return bonds
