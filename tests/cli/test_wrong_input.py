@@ -1,0 +1,127 @@
+"""Every wrong input is one line on standard error, exit code 2, and nothing is written."""
+
+from pathlib import Path
+
+import pytest
+
+WRONG = [
+    (["fly"], "fly"),
+    (["runn", "ingot"], "run"),
+    (["run"], "NAME"),
+    (["run", "ingott"], "did you mean 'ingot'"),
+    (["describe", "zzz"], "allowed: ingot"),
+    (["verify", "ingott"], "did you mean 'ingot'"),
+    (["run", "ingot", "--untill", "1"], "--until"),
+    (["run", "ingot", "--resume", "x"], "--resume"),
+    (["run", "ingot", "--until", "abc"], "--until"),
+    (["run", "ingot", "--until", "0"], "> 0"),
+    (["run", "ingot", "--until", "-1"], "> 0"),
+    (["run", "ingot", "--until", "nan"], "nan"),
+    (["run", "ingot", "--until", "inf"], "inf"),
+    (["run", "ingot", "--every", "1e300"], "--every"),
+    (["run", "ingot", "--threads", "0"], ">= 1"),
+    (["run", "ingot", "--threads", "1.5"], "--threads"),
+    (["run", "ingot", "--threads", "100000"], "100000"),
+    (["run", "ingot", "--device", "cpuu"], "cpuu"),
+    (["run", "ingot", "--device", "cuda:99"], "cuda:99"),
+    (["run", "ingot", "--set"], "--set"),
+    (["run", "ingot", "--set", "count"], "KEY=VALUE"),
+    (["run", "ingot", "--set", "=3"], "KEY=VALUE"),
+    (["run", "ingot", "--set", "cuont=3"], "did you mean 'count'"),
+    (["run", "ingot", "--set", "count=-3"], "count = -3"),
+    (["run", "ingot", "--set", "count=2.5"], "count = 2.5"),
+    (["run", "ingot", "--set", "spacing=abc"], "spacing = 'abc'"),
+    (["run", "ingot", "--set", "spacing=1000"], "less than or equal to 1 [m]"),
+    (["run", "ingot", "--set", "spacing=nan"], "finite"),
+    (["run", "ingot", "--set", "spacing="], "spacing = ''"),
+    (["run", "ingot", "--set", "wall=wood"], "'copper' or 'steel'"),
+    (["run", "ingot", "--set", "oscillates=perhaps"], "oscillates = 'perhaps'"),
+    (["run", "ingot", "--set", "zones=[1, x]"], "zones"),
+    (["run", "ingot", "--set", "a.b=1"], "a.b"),
+    (["run", "ingot", "--preset", "smal"], "did you mean 'small'"),
+    (["run", "crooked", "--preset", "small"], "has no presets"),
+    (["run", "ingot", "--preset", "broken"], "preset broken: ingot: count = 1000"),
+    (["run", "ingot", "absent.toml"], "absent.toml"),
+    (["run", "ingot", "."], "directory"),
+    (["run", "ingot", "--output", "picture.png"], ".vtkhdf"),
+    (["run", "ingot", "--output", "absent/file.vtkhdf"], "absent"),
+    (["run", "ingot", "one.toml", "two.toml"], "two.toml"),
+    (["render", "absent.vtkhdf"], "absent.vtkhdf"),
+    (["render", "absent.vtkhdf", "--movie", "--time", "1"], "--movie"),
+    (["render", "absent.vtkhdf", "--time", "-1"], "--time"),
+    (["render", "absent.vtkhdf", "--output", "picture.xyz"], ".png"),
+    (["plot", "absent.vtkhdf"], "absent.vtkhdf"),
+    (["plot", "."], "folder"),
+    (["info", "absent.vtkhdf"], "absent.vtkhdf"),
+    (["info"], "FILE"),
+    (["verify", "ingot", "--json", "absent/rows.json"], "absent"),
+    (["verify", "ingot", "--json", "."], "folder"),
+]
+
+
+@pytest.mark.parametrize(
+    ("words", "named"), WRONG, ids=lambda value: " ".join(value) if isinstance(value, list) else ""
+)
+def test_wrong_input_is_one_line(warpsph_command, tmp_path: Path, words: list[str], named: str):
+    """If it failed, a user's slip would end in a traceback, pass unseen or leave a half-made file."""
+    outcome = warpsph_command(*words)
+    assert outcome.code == 2
+    assert outcome.output == ""
+    assert outcome.error.startswith("warpsph: ")
+    assert outcome.error.count("\n") == 1
+    assert named in outcome.error
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("content", "named"),
+    [
+        (b"count = \n", "line 1"),
+        (b"count = 1\ncount = 2\n", "overwrite"),
+        (b"\xff\xfe", "UTF-8"),
+        (b"cuont = 2\n", "did you mean 'count'"),
+        (b"count = 0\n", "count = 0"),
+        (b"[count]\nx = 1\n", "count"),
+        (b"wall = 1979-05-27\n", "wall"),
+        (b"spacing = " + b"[" * 5000 + b"]" * 5000, "case.toml"),
+        (b"count = " + b"9" * 5000, "case.toml"),
+    ],
+)
+def test_wrong_case_file_is_one_line_that_names_the_file(warpsph_command, tmp_path: Path, content: bytes, named: str):
+    """If it failed, a slip in a case file would not be found by its file and key."""
+    (tmp_path / "case.toml").write_bytes(content)
+    outcome = warpsph_command("run", "ingot", "case.toml")
+    assert outcome.code == 2
+    assert outcome.error.startswith("warpsph: case.toml: ")
+    assert outcome.error.count("\n") == 1
+    assert named in outcome.error
+    assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
+
+
+def test_existing_result_is_kept(warpsph_command, tmp_path: Path):
+    """If it failed, a second run would silently destroy the first one's result."""
+    target = tmp_path / "kept.vtkhdf"
+    target.write_bytes(b"precious")
+    outcome = warpsph_command("run", "ingot", "--output", "kept.vtkhdf")
+    assert outcome.code == 2
+    assert "--overwrite" in outcome.error
+    assert target.read_bytes() == b"precious"
+
+
+def test_results_folder_that_cannot_be_made(warpsph_command, tmp_path: Path):
+    """If it failed, a file called results would end the first run in a traceback."""
+    (tmp_path / "results").write_text("a file")
+    outcome = warpsph_command("run", "ingot")
+    assert outcome.code == 2
+    assert outcome.error.count("\n") == 1
+    assert "results" in outcome.error
+
+
+def test_damaged_result_is_one_line(warpsph_command, tmp_path: Path):
+    """If it failed, a cut or foreign file would end info, plot and render in a traceback."""
+    (tmp_path / "bad.vtkhdf").write_bytes(b"not HDF5")
+    for command in ("info", "plot", "render"):
+        outcome = warpsph_command(command, "bad.vtkhdf")
+        assert outcome.code == 2
+        assert outcome.error.count("\n") == 1
+        assert "bad.vtkhdf" in outcome.error

@@ -1,0 +1,59 @@
+"""The ``warpsph`` command as a whole: its subcommands, and what becomes of an error."""
+
+import sys
+from collections.abc import Sequence
+from importlib.metadata import version
+
+from cyclopts import App, CycloptsError, Parameter
+
+from warpsph.cli.consoles import complain
+from warpsph.cli.describe import describe
+from warpsph.cli.info import info
+from warpsph.cli.list_scenarios import list_scenarios
+from warpsph.cli.plot import plot
+from warpsph.cli.render import render
+from warpsph.cli.run import run
+from warpsph.cli.verify import verify
+from warpsph.errors import InputError, WarpsphError
+
+INTERRUPTED = 130
+
+application = App(
+    name="warpsph",
+    help="""Simulate solidification and the continuous casting of steel with particles.
+
+    Begin with `warpsph list`, look at a case with `warpsph describe NAME`, run it with `warpsph run NAME`.
+
+    Exit codes: 0 done, 1 a check failed, 2 the input is wrong, 3 the simulation diverged, 130 interrupted.""",
+    help_format="markdown",
+    default_parameter=Parameter(negative="", show_default=False),
+    version=lambda: f"warpsph {version('warpsph')}",
+)
+application.command(list_scenarios, name="list", sort_key=0)
+for position, command in enumerate((describe, run, render, plot, verify, info), start=1):
+    application.command(command, sort_key=position)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code.
+
+    Args:
+        arguments: the words after ``warpsph``; those of this process by default.
+    """
+    tokens = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        return application(tokens, exit_on_error=False, print_error=False, result_action="return_value") or 0
+    except CycloptsError as error:
+        complain(f"{error} (see {_help_command(tokens)})")
+        return InputError.exit_code
+    except WarpsphError as error:
+        complain(str(error))
+        return error.exit_code
+    except KeyboardInterrupt:
+        complain("interrupted")
+        return INTERRUPTED
+
+
+def _help_command(tokens: Sequence[str]) -> str:
+    command = tokens[0] if tokens and tokens[0] in application else ""
+    return f"warpsph {command} --help".replace("  ", " ")

@@ -1,0 +1,59 @@
+"""``warpsph info``."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from rich.table import Table
+from rich.text import Text
+
+from warpsph.cli.consoles import output_console
+from warpsph.cli.describe import show_value
+from warpsph.results import ResultFile
+
+
+def info(file: Path, /) -> None:
+    """Tell what made a result file: parameters, versions, device and wall time, and what it holds.
+
+    Parameters
+    ----------
+    file
+        A VTKHDF file written by `warpsph run`.
+    """
+    result = ResultFile(file)
+    last = {name: series[-1] for name, series in result.diagnostics.items() if len(series)}
+    events = [(f"{time:.4g} s", text) for time, text in result.events]
+    console = output_console()
+    sections = {
+        "Parameters": result.parameters.items(),
+        "Provenance": result.provenance.items(),
+        "Frames": _frames(result),
+        "Diagnostics at the end": last.items(),
+        "Events": events,
+    }
+    for title, rows in sections.items():
+        if rows:
+            console.print(_section(title, rows))
+
+
+def _frames(result: ResultFile) -> list[tuple[str, object]]:
+    if len(result.times) == 0:
+        return [("frames", 0)]
+    points, fields = result.frame(-1)
+    span = f"{len(result.times)}, from {result.times[0]:.4g} to {result.times[-1]:.4g} s"
+    return [("frames", span), ("particles in the last", len(points)), ("fields", ", ".join(fields))]
+
+
+def _section(title: str, rows: Iterable[tuple[str, object]]) -> Table:
+    table = Table(title=title, title_justify="left", show_header=False, box=None, padding=(0, 2))
+    table.add_column(style="cyan", no_wrap=True)
+    table.add_column()
+    for name, value in rows:
+        table.add_row(Text(name), Text(_show(value)))
+    return table
+
+
+def _show(value: object) -> str:
+    size = getattr(value, "size", 1)
+    if size > 1:
+        return f"{size} values from {value.min():.6g} to {value.max():.6g}"
+    return show_value(value)

@@ -1,0 +1,72 @@
+"""``warpsph render``."""
+
+from pathlib import Path
+from typing import Annotated
+
+from cyclopts import Parameter
+from cyclopts.validators import Number
+from rich.text import Text
+
+from warpsph.cli.consoles import error_console, output_console
+from warpsph.errors import InputError
+from warpsph.results import ResultFile
+
+
+def render(
+    file: Path,
+    /,
+    *,
+    field: Annotated[str | None, Parameter(metavar="NAME")] = None,
+    time: Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gte=0, lte=1e6))] = None,
+    movie: bool = False,
+    output: Annotated[Path | None, Parameter(metavar="PICTURE")] = None,
+) -> None:
+    """Draw a frame of a result file as a PNG picture, or all frames as an MP4 movie; no display is needed.
+
+    Parameters
+    ----------
+    file
+        A VTKHDF file written by `warpsph run`.
+    field
+        Colour the particles by this field, for example temperature, pressure or velocity; by role and temperature
+        when not given.
+    time
+        Physical time in s; the nearest frame is drawn, the last one when not given.
+    movie
+        Draw all frames as a movie.
+    output
+        The picture to write; beside FILE, with its name, when not given.
+    """
+    if movie and time is not None:
+        raise InputError("--time and --movie exclude each other: a movie shows all times")
+    picture = _target(file, field, output, suffix=".mp4" if movie else ".png")
+    result = ResultFile(file)
+    if time is not None:
+        _check_time(result, time)
+    _draw(result, picture, field, time, movie)
+    output_console().print(Text(f"written: {picture}"), soft_wrap=True)
+
+
+def _draw(result: ResultFile, picture: Path, field: str | None, time: float | None, movie: bool) -> None:
+    from warpsph.pictures import render_movie, render_still
+
+    if movie:
+        with error_console().status("drawing the movie"):
+            render_movie(result, picture, field=field)
+    else:
+        render_still(result, picture, field=field, time=time)
+
+
+def _target(file: Path, field: str | None, output: Path | None, suffix: str) -> Path:
+    if output is None:
+        return file.with_name(f"{file.stem}-{field}{suffix}" if field else f"{file.stem}{suffix}")
+    if output.suffix.lower() != suffix:
+        raise InputError(f"--output '{output}': give a name that ends in {suffix}")
+    if not output.parent.is_dir():
+        raise InputError(f"--output '{output}': there is no folder '{output.parent}'; make it first")
+    return output
+
+
+def _check_time(result: ResultFile, time: float) -> None:
+    if len(result.times) and not result.times[0] <= time <= result.times[-1]:
+        raise InputError(f"--time {time:g}: {result.path} holds {result.times[0]:g} to {result.times[-1]:g} s")

@@ -1,0 +1,153 @@
+"""``warpsph run``."""
+
+from collections.abc import Sequence
+from contextlib import nullcontext
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+from cyclopts import Parameter, Token
+from cyclopts.validators import Number
+from rich.table import Table
+from rich.text import Text
+
+from warpsph.case import Layer, file_layer, preset_layer, resolve, settings_layer
+from warpsph.cli.catalogue import find_scenario
+from warpsph.cli.consoles import error_console, output_console
+from warpsph.cli.progress import shown_progress
+from warpsph.errors import DivergenceError, InputError
+from warpsph.scenario import Scenario
+
+if TYPE_CHECKING:
+    from warpsph.simulation import Result
+
+RESULTS = Path("results")
+
+
+def _whole_number(kind: type, tokens: Sequence[Token]) -> int:
+    """An integer as written: the parser itself would round 1.5 to 2."""
+    return int(tokens[0].value)
+
+
+Seconds = Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gt=0, lte=1e6))]
+Threads = Annotated[int | None, Parameter(metavar="N", validator=Number(gte=1), converter=_whole_number)]
+Settings = Annotated[list[str] | None, Parameter(name="--set", metavar="KEY=VALUE", consume_multiple=(1, None))]
+
+
+def run(
+    name: str,
+    case: Path | None = None,
+    /,
+    *,
+    preset: Annotated[str | None, Parameter(metavar="NAME")] = None,
+    settings: Settings = None,
+    until: Seconds = None,
+    device: Annotated[str, Parameter(metavar="NAME")] = "auto",
+    threads: Threads = None,
+    output: Annotated[Path | None, Parameter(metavar="FILE.vtkhdf")] = None,
+    every: Seconds = None,
+    overwrite: bool = False,
+    quiet: bool = False,
+) -> int:
+    """Run a scenario and write its frames and diagnostics to one VTKHDF file.
+
+    A parameter takes its value from the last of these that names it: the scenario's default, the preset, the case
+    file, `--set`. Ctrl-C stops the run and keeps what has been simulated.
+
+    Parameters
+    ----------
+    name
+        A scenario of `warpsph list`.
+    case
+        A TOML file of parameters, `key = value` each; it may name any parameter of `warpsph describe NAME`.
+    preset
+        One of the scenario's ready-made cases; see `warpsph describe NAME`.
+    settings
+        Set one parameter, as in `--set duration=2.5`; may be repeated. A value is TOML, a bare word is text.
+    until
+        Physical time to simulate: the parameter `duration`.
+    device
+        Where to compute: auto (a CUDA device where there is one, and the default), cpu or cuda:0.
+    threads
+        CPU threads; all cores by default.
+    output
+        The VTKHDF file to write; results/NAME-PRESET.vtkhdf by default (or NAME-CASE, or NAME).
+    every
+        Physical time between two frames: the parameter `output_interval`.
+    overwrite
+        Replace the output file if it exists.
+    quiet
+        Show neither progress nor summary.
+    """
+    kind = find_scenario(name)
+    preset = preset or (None if case else kind.default_preset)
+    scenario = resolve(kind, _layers(kind, preset, case, settings, until, every))
+    path = _target(output, "-".join(filter(None, [name, case.stem if case else preset])))
+    result = _simulate(scenario, device, threads, path, overwrite, quiet)
+    if not quiet:
+        _conclude(result, path)
+    return 0 if result.status == "complete" else 130
+
+
+def _layers(
+    kind: type[Scenario],
+    preset: str | None,
+    case: Path | None,
+    settings: list[str] | None,
+    until: float | None,
+    every: float | None,
+) -> list[Layer]:
+    options = {"duration": until, "output_interval": every}
+    layers = [preset_layer(kind, preset)] if preset else []
+    layers += [file_layer(case)] if case else []
+    layers.append(settings_layer(settings or []))
+    layers.append(Layer("--until, --every", {key: value for key, value in options.items() if value is not None}))
+    return layers
+
+
+def _target(output: Path | None, default_stem: str) -> Path:
+    if output is None:
+        return RESULTS / f"{default_stem}.vtkhdf"
+    if output.suffix != ".vtkhdf":
+        raise InputError(f"--output '{output}': results are VTKHDF files; give a name that ends in .vtkhdf")
+    return output
+
+
+def _simulate(
+    scenario: Scenario, device: str, threads: int | None, path: Path, overwrite: bool, quiet: bool
+) -> "Result":
+    from warpsph.device import Executor
+
+    with nullcontext() if quiet else shown_progress(scenario.name, error_console()) as report:
+        simulation = scenario.build(Executor(device, threads))
+        if path.parent == RESULTS:
+            _make_results_folder()
+        try:
+            return simulation.run(
+                scenario.duration,
+                scenario.output_interval,
+                output=path,
+                overwrite=overwrite,
+                progress=report,
+                parameters=scenario.as_dict(),
+            )
+        except DivergenceError as error:
+            raise DivergenceError(f"{error}; the frames before it are in {path}") from None
+
+
+def _make_results_folder() -> None:
+    try:
+        RESULTS.mkdir(exist_ok=True)
+    except OSError as error:
+        raise InputError(f"the folder {RESULTS} cannot be made: {error.strerror}; give --output") from None
+
+
+def _conclude(result: "Result", path: Path) -> None:
+    console = output_console()
+    table = Table.grid(padding=(0, 2))
+    for quantity, value in result.summary.items():
+        table.add_row(Text(quantity, style="bold"), Text(value))
+    console.print(table)
+    if result.status != "complete":
+        console.print(f"interrupted at {result.time:.4g} s; the frames until then are kept")
+    console.print(Text(f"written: {path}"), soft_wrap=True)
+    console.print(Text(f"next:    warpsph render {path}"), soft_wrap=True)
