@@ -31,7 +31,8 @@ class Neighbours:
         outdated: (1,) not zero when the list must be renewed before the next use.
         renewals: (1,) how often it has been renewed.
         longest_row: (1,) not zero when a row was too short for its neighbours.
-        reservoir_start: (materials,) index of the first particle in the reservoir, by material, at the last renewal.
+        reservoir_start: (materials + 1,) at the last renewal, the index of the first particle in the reservoir by
+            material, and the number of particles.
     """
 
     def __init__(
@@ -73,7 +74,7 @@ class Neighbours:
         self.longest_row = wp.zeros(1, dtype=int, device=device)
         self._cell, self._rank, self._order, self._place = (wp.zeros(n, dtype=int, device=device) for _ in range(4))
         self._start = wp.zeros(cells + materials + 1, dtype=int, device=device)
-        self.reservoir_start = self._start[cells : cells + materials]
+        self.reservoir_start = self._start[cells:]
         self._spare_words = wp.zeros((n, WIDEST_ROW), dtype=int, device=device)
         self._spare_bonds = _like(state.bonds) if state.bonds is not None else None
 

@@ -11,8 +11,9 @@ from warpsph.labels import Role
 class Particles:
     """Particles under construction: NumPy arrays that grow by :meth:`add`.
 
-    Fields: position (n, 3) [m], velocity (n, 3) [m/s], role (n,), material (n,), temperature (n,) [K], held (n,),
-    pressure (n,) [Pa] (only used for a hydrostatic start).
+    Fields: position (n, 3) [m], velocity (n, 3) [m/s], role (n,), material (n,), temperature (n,) [K]; ``held`` (n,),
+    whether the temperature stays; ``flows`` (n,), whether the particle counts in the sums of the fluid; ``volume``
+    (n,) [m^3, or m^2 in 2D], or 0 for a cell of the lattice.
     """
 
     position: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
@@ -21,6 +22,8 @@ class Particles:
     material: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
     temperature: np.ndarray = field(default_factory=lambda: np.zeros(0))
     held: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
+    flows: np.ndarray = field(default_factory=lambda: np.zeros(0, bool))
+    volume: np.ndarray = field(default_factory=lambda: np.zeros(0))
 
     def __len__(self) -> int:
         return len(self.position)
@@ -33,6 +36,8 @@ class Particles:
         temperature: float | np.ndarray = 293.15,
         velocity: tuple[float, float, float] | np.ndarray = (0.0, 0.0, 0.0),
         held: bool | np.ndarray = False,
+        flows: bool = True,
+        volume: float = 0.0,
     ) -> None:
         """Append particles at ``position`` (n, 3); the other values are one for all or one each.
 
@@ -45,6 +50,8 @@ class Particles:
         self.material = np.concatenate([self.material, np.full(n, material, np.int32)])
         self.temperature = np.concatenate([self.temperature, np.broadcast_to(temperature, n)])
         self.held = np.concatenate([self.held, np.broadcast_to(held, n).astype(np.int32)])
+        self.flows = np.concatenate([self.flows, np.full(n, flows)])
+        self.volume = np.concatenate([self.volume, np.full(n, volume)])
 
 
 def lattice(lower: tuple[float, ...], upper: tuple[float, ...], spacing: float) -> np.ndarray:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsph.boundary.device import BoundaryDevice
 from warpsph.device import Executor
 from warpsph.diagnostics import Snapshot, common_diagnostics
 from warpsph.errors import DivergenceError, InputError
@@ -15,7 +16,7 @@ from warpsph.model import Model
 from warpsph.output import ResultWriter
 from warpsph.particles import Particles
 from warpsph.provenance import provenance
-from warpsph.solver import BoundaryDevice, Solver
+from warpsph.solver import Solver
 from warpsph.state import State
 from warpsph.timestep import conduction_limits, time_step_limits
 

@@ -1,33 +1,17 @@
 """One step of the simulation, term by term."""
 
 from collections.abc import Sequence
-from typing import Protocol
 
 import numpy as np
 import warp as wp
 
+from warpsph.boundary.device import BoundaryDevice
 from warpsph.device import Executor
 from warpsph.kernels import bonds, conduction, density, elasticity, forces, motion, neighbours, phase, wall_pressure
 from warpsph.kernels.smoothing import normalisation
 from warpsph.model import Model
 from warpsph.neighbours import Neighbours
 from warpsph.state import State
-
-
-class BoundaryDevice(Protocol):
-    """Something at the boundary that acts on the particles: mould, inlet, outflow, spray, symmetry plane."""
-
-    def bind(self, solver: "Solver") -> None:
-        """Allocate what the device needs; the state is complete when all devices are bound."""
-
-    def after_density(self, dt: float) -> None:
-        """Act between the pressure and the forces of a step."""
-
-    def after_move(self, dt: float) -> None:
-        """Act at the end of a step."""
-
-    def after_heat(self, interval: float) -> None:
-        """Act after heat has been conducted for ``interval`` [s], before phases change."""
 
 
 class Solver:

@@ -29,7 +29,6 @@ class State:
         self.bonds: BondList | None = None
         role, material = particles.role, particles.material
         densities = np.array([m.density for m in model.materials])
-        cell_volume = model.cell_volume
 
         self.add("id", np.arange(n), int)
         self.add("role", role, int)
@@ -37,13 +36,14 @@ class State:
         self.add("position", particles.position, wp.vec3)
         self.add("position_carry", np.zeros((n, 3)), wp.vec3)
         self.add("velocity", particles.velocity, wp.vec3)
-        mass = densities[material] * cell_volume
+        volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
+        mass = densities[material] * volume
         self.add("phase", np.full(n, int(Phase.LIQUID)), int)
         if model.fluid is not None:
-            fluid_mass = np.where(role == Role.SPRAY, 0.0, model.fluid.reference_density * cell_volume)
-            fluid_mass /= model.lattice_density()
-            flows = np.isin(role, (Role.FREE, Role.INFLOW, Role.OUTFLOW, Role.RESERVOIR))
-            mass = np.where(flows & (role != Role.SPRAY), fluid_mass, mass)
+            lattice_mass = model.fluid.reference_density * model.cell_volume / model.lattice_density()
+            fluid_mass = np.where(particles.flows, lattice_mass, 0.0)
+            moves = np.isin(role, (Role.FREE, Role.INFLOW, Role.OUTFLOW, Role.RESERVOIR))
+            mass = np.where(moves & particles.flows, fluid_mass, mass)
             self.add("fluid_mass", fluid_mass, float)
             self.add("density", np.full(n, model.fluid.reference_density), float)
             self.add("pressure", np.zeros(n), float)
@@ -61,7 +61,7 @@ class State:
             self.add("temperature", particles.temperature, float)
             self.add("solid_fraction", np.zeros(n), float)
             self.add("conductivity", np.zeros(n), float)
-            self.add("thermal_volume", mass / densities[material], float)
+            self.add("thermal_volume", volume, float)
             self.add("heat_rate", np.zeros(n), float)
             self.add("held", particles.held, int)
             self.add("heat_held", np.zeros(n), wp.float64)

@@ -1,0 +1,58 @@
+"""Bringing particles in from the reservoir and taking them out, with the ledger of what passes."""
+
+import warp as wp
+
+from warpsph.kernels.labels import Phase, Role
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.struct
+class Exchange:
+    """What changes of a particle when it enters or leaves, each (n,), and what the ledger keeps of its passages.
+
+    ``entries``, ``exits`` count passages; ``heat_entered``, ``heat_left`` [J] (float64) are the enthalpies it carried.
+    ``outdated`` (1,) asks for a new neighbour list, ``phase_changed`` (1,) for new bonds.
+    """
+
+    role: wp.array[int]
+    phase: wp.array[int]
+    position: wp.array[wp.vec3]
+    position_carry: wp.array[wp.vec3]
+    velocity: wp.array[wp.vec3]
+    enthalpy: wp.array[float]
+    enthalpy_carry: wp.array[float]
+    mass: wp.array[float]
+    entries: wp.array[int]
+    exits: wp.array[int]
+    heat_entered: wp.array[wp.float64]
+    heat_left: wp.array[wp.float64]
+    outdated: wp.array[int]
+    phase_changed: wp.array[int]
+
+
+@wp.func
+def bring_in(exchange: Exchange, i: int, role: int, position: wp.vec3, velocity: wp.vec3, enthalpy: float):
+    """Put the reservoir's particle ``i`` into the simulation."""
+    exchange.role[i] = role
+    exchange.phase[i] = Phase.LIQUID
+    exchange.position[i] = position
+    exchange.position_carry[i] = wp.vec3()
+    exchange.velocity[i] = velocity
+    exchange.enthalpy[i] = enthalpy
+    exchange.enthalpy_carry[i] = 0.0
+    exchange.entries[i] += 1
+    exchange.heat_entered[i] += wp.float64(exchange.mass[i]) * wp.float64(enthalpy)
+    exchange.outdated[0] = 1
+
+
+@wp.func
+def take_out(exchange: Exchange, i: int):
+    """Return particle ``i`` to the reservoir."""
+    exchange.role[i] = Role.RESERVOIR
+    exchange.phase[i] = Phase.LIQUID
+    exchange.velocity[i] = wp.vec3()
+    exchange.exits[i] += 1
+    exchange.heat_left[i] += wp.float64(exchange.mass[i]) * wp.float64(exchange.enthalpy[i])
+    exchange.outdated[0] = 1
+    exchange.phase_changed[0] = 1

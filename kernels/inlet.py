@@ -1,0 +1,63 @@
+"""The submerged nozzle: rows of melt that enter at its top and are free below its mouth."""
+
+import warp as wp
+
+from warpsph.kernels.exchange import Exchange, bring_in
+from warpsph.kernels.labels import Role
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.struct
+class Nozzle:
+    """``top``, ``mouth`` heights [m]; ``spacing`` of the rows [m]; ``enthalpy`` of the melt [J/kg]; its ``material``."""
+
+    top: float
+    mouth: float
+    spacing: float
+    enthalpy: float
+    material: int
+
+
+@wp.kernel
+def _pour(
+    first: int,
+    interval: float,
+    nozzle: Nozzle,
+    row: wp.array[wp.vec3],
+    speeds: wp.array[float],
+    reservoir_start: wp.array[int],
+    travel: wp.array[float],
+    missing: wp.array[int],
+    exchange: Exchange,
+):
+    travel[0] += speeds[2] * interval
+    taken = reservoir_start[nozzle.material]
+    while travel[0] >= nozzle.spacing:
+        travel[0] -= nozzle.spacing
+        for k in range(row.shape[0]):
+            if taken < reservoir_start[nozzle.material + 1]:
+                place = row[k] + wp.vec3(0.0, nozzle.top - travel[0], 0.0)
+                bring_in(exchange, taken, int(Role.INFLOW), place, wp.vec3(0.0, -speeds[2], 0.0), nozzle.enthalpy)
+                taken += 1
+            else:
+                missing[0] += 1
+
+
+@wp.kernel
+def _lead(first: int, mouth: float, speeds: wp.array[float], exchange: Exchange):
+    i = wp.tid() + first
+    if exchange.role[i] == Role.INFLOW:
+        exchange.velocity[i] = wp.vec3(0.0, -speeds[2], 0.0)
+        if exchange.position[i][1] < mouth:
+            exchange.role[i] = Role.FREE
+
+
+def pour(launch, interval, nozzle, row, speeds, reservoir_start, travel, missing, exchange) -> None:
+    """Let the melt in the nozzle sink with the pouring speed ``speeds[2]`` and bring in the rows that follow.
+
+    ``row`` (k,) are the places of a row [m]; ``travel`` (1,) [m] is how far the last row is below the top; ``missing``
+    (1,) counts particles that the reservoir could not give.
+    """
+    launch(_lead, exchange.role.shape[0], [nozzle.mouth, speeds, exchange])
+    launch.whole(_pour, 1, [interval, nozzle, row, speeds, reservoir_start, travel, missing, exchange])

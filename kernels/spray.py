@@ -1,0 +1,104 @@
+"""Water spray: particles that fly to the strand, ride on it, boil away, and are sprayed again."""
+
+import warp as wp
+
+from warpsph.kernels.exchange import Exchange, bring_in, take_out
+from warpsph.kernels.labels import Role
+from warpsph.kernels.pairs import NeighbourList, entry_of, index_of
+
+wp.set_module_options({"enable_backward": False})
+
+GOLDEN_RATIO = wp.constant(wp.float64(0.6180339887498949))
+
+
+@wp.struct
+class Zones:
+    """The zones, each (zones,): ``low``, ``high`` ends [m]; ``rate`` [particles/s]; ``off`` time of failure [s]."""
+
+    low: wp.array[float]
+    high: wp.array[float]
+    rate: wp.array[float]
+    off: wp.array[float]
+
+
+@wp.struct
+class Water:
+    """``nozzle`` x of the nozzles [m]; ``speed`` [m/s]; ``reach`` contact distance [m]; ``lost`` x behind which water
+    has missed the strand [m]; ``enthalpy`` when sprayed and when ``boiled`` [J/kg]; its ``material``."""
+
+    nozzle: float
+    speed: float
+    reach: float
+    lost: float
+    enthalpy: float
+    boiled: float
+    material: int
+
+
+@wp.kernel
+def _emit(
+    first: int,
+    interval: float,
+    zones: Zones,
+    water: Water,
+    time: wp.array[wp.float64],
+    reservoir_start: wp.array[int],
+    due: wp.array[float],
+    sprayed: wp.array[int],
+    missing: wp.array[int],
+    exchange: Exchange,
+):
+    taken = reservoir_start[water.material]
+    for zone in range(zones.rate.shape[0]):
+        if time[0] < wp.float64(zones.off[zone]):
+            due[zone] += zones.rate[zone] * interval
+        while due[zone] >= 1.0:
+            due[zone] -= 1.0
+            if taken < reservoir_start[water.material + 1]:
+                sprayed[zone] += 1
+                turn = wp.float64(sprayed[zone]) * GOLDEN_RATIO  # evenly spread for any number of particles
+                height = zones.low[zone] + float(turn - wp.floor(turn)) * (zones.high[zone] - zones.low[zone])
+                place = wp.vec3(water.nozzle, height, 0.0)
+                bring_in(exchange, taken, int(Role.SPRAY), place, wp.vec3(-water.speed, 0.0, 0.0), water.enthalpy)
+                taken += 1
+            else:
+                missing[0] += 1
+
+
+@wp.kernel
+def _ride(first: int, water: Water, neighbours: NeighbourList, exchange: Exchange):
+    i = wp.tid() + first
+    if exchange.role[i] == Role.SPRAY:
+        x_i = exchange.position[i]
+        nearest = water.reach * water.reach
+        velocity = wp.vec3(-water.speed, 0.0, 0.0)
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            d = x_i - exchange.position[j]
+            if exchange.role[j] == Role.FREE and wp.dot(d, d) < nearest:
+                nearest = wp.dot(d, d)
+                velocity = exchange.velocity[j]
+        exchange.velocity[i] = velocity
+
+
+@wp.kernel
+def _boil(first: int, water: Water, exchange: Exchange):
+    i = wp.tid() + first
+    if exchange.role[i] == Role.SPRAY and (exchange.enthalpy[i] >= water.boiled or exchange.position[i][0] < water.lost):
+        take_out(exchange, i)
+
+
+def spray(
+    launch, interval, zones, water, neighbours, time, reservoir_start, due, sprayed, missing, exchange
+) -> None:
+    """Fly, ride, boil and spray again (Vijaykumar 2012, section 6.4).
+
+    ``due`` (zones,) is the fraction of the next particle; ``sprayed`` (zones,) counts particles; ``missing`` (1,) those
+    that the reservoir could not give.
+    """
+    n = exchange.role.shape[0]
+    launch(_ride, n, [water, neighbours, exchange])
+    launch(_boil, n, [water, exchange])
+    launch.whole(
+        _emit, 1, [interval, zones, water, time, reservoir_start, due, sprayed, missing, exchange]
+    )

@@ -1,0 +1,61 @@
+"""The checks of a casting run."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from warpsph.check import Check
+from warpsph.scenarios.travelling_slice import shell_thickness
+
+if TYPE_CHECKING:
+    from warpsph.scenarios.casting import Casting
+    from warpsph.simulation import Result
+
+
+def casting_checks(case: "Casting", result: "Result") -> list[Check]:
+    """Ledgers, steadiness, and the growth of the shell in the mould against one-dimensional conduction."""
+    d = result.diagnostics
+    mass_error = d["particles_inside"] - d["particles_inside"][0] - d["particles_in"] + d["particles_out"]
+    last_third = d["time"] >= 2.0 / 3.0 * d["time"][-1]
+    level = d["level"][last_third]
+    ids = np.sort(result.fields["id"])
+    return [
+        Check(
+            case.name, "particles lost (inside - start - in + out)", "", float(np.max(np.abs(mass_error))), None, 0.0,
+            "conservation of mass", reason="every particle is counted",
+        ),
+        Check(
+            case.name, "ids that are missing or doubled", "", float(np.sum(ids != np.arange(len(ids)))), None, 0.0,
+            "conservation of mass", reason="every id stands for one particle for the whole run",
+        ),
+        Check(
+            case.name, "enthalpy ledger", "", float(np.max(np.abs(d["ledger_error"]))), None, 1e-3,
+            "conservation of energy", reason="single precision, pairwise antisymmetric conduction",
+        ),
+        Check(
+            case.name, "melt outside the strand", "particles", float(np.max(d["escaped_melt"])), None, 0.0,
+            "all sprays on: no hole", reason="the shell holds",
+        ),
+        Check(
+            case.name, "meniscus, largest departure from the level asked for, last third", "m",
+            float(level[np.argmax(np.abs(level - case.level))]), case.level, 0.03,
+            "Vijaykumar (2012), section 6.3: the level remains constant", reason="waves of one spacing or two",
+        ),
+        _shell_check(case, result),
+    ]  # fmt: skip
+
+
+def _shell_check(case: "Casting", result: "Result") -> Check:
+    """Mean thickness over the lower half of the mould, averaged over the last third of the run."""
+    d = result.diagnostics
+    heights = d["height"][0]
+    last_third = d["time"] >= 2.0 / 3.0 * d["time"][-1]
+    lower_mould = (heights > case.mould_bottom) & (heights < 0.5 * (case.mould_bottom + case.level))
+    measured = np.mean(d["shell_thickness"][last_third][:, lower_mould])
+    profiles = case.slices(heights[lower_mould])
+    exact = np.mean([shell_thickness(profile, case.steel, case.half_width, 0.5) for profile in profiles])
+    return Check(
+        case.name, "shell thickness, lower half of the mould", "m", float(measured), float(exact), 0.15,
+        "one-dimensional enthalpy conduction of a stagnant slice with the same wall",
+        reason="half a spacing of the interface's place, and the melt that moves",
+    )  # fmt: skip

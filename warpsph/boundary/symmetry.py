@@ -1,0 +1,30 @@
+"""The plane of symmetry."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from warpsph.boundary.device import BoundaryDevice
+from warpsph.kernels.symmetry import reflect
+from warpsph.labels import Role
+from warpsph.particles import Particles
+
+
+class SymmetryPlane(BoundaryDevice):
+    """A plane that lets nothing through and no heat: dummies behind it, and a mirror for what crosses it all the same.
+
+    Args:
+        normal: unit normal, pointing inside.
+        offset: ``x . normal`` on the plane [m].
+    """
+
+    def __init__(self, normal: Sequence[float], offset: float):
+        self.normal, self.offset = np.asarray(normal, float), offset
+
+    def add_dummies(self, particles: Particles, points: np.ndarray, material: int) -> None:
+        """Add fixed dummies at ``points`` (n, 3) [m] behind the plane; they slip and conduct no heat."""
+        particles.add(points, Role.DUMMY, material)
+
+    def after_move(self, dt: float) -> None:
+        s = self.state
+        reflect(self.launch, self.normal, self.offset, s.role, s.position, s.velocity)
