@@ -30,7 +30,7 @@ def _update_bonds(
     longest_row: wp.array[int],
 ):
     i = wp.tid() + first
-    n = int(0)
+    n = 0
     if phase[i] == Phase.SOLID:
         row = i * bonds.capacity
         if froze[i] == 0:
@@ -93,9 +93,7 @@ def update_bonds(launch, reach, neighbours, position, phase, froze, bonds, longe
     A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
     equation 4.6). A row that would overflow is cut and its full length goes to ``longest_row`` (1,).
     """
-    launch(
-        _update_bonds, position.shape[0], [reach, neighbours, position, phase, froze, bonds, longest_row]
-    )
+    launch(_update_bonds, position.shape[0], [reach, neighbours, position, phase, froze, bonds, longest_row])
 
 
 def mark_bonded_neighbours(launch, neighbours, bonds) -> None:

@@ -7,8 +7,6 @@ from warpsph.kernels.labels import Role
 wp.set_module_options({"enable_backward": False})
 
 
-
-
 @wp.struct
 class Grid:
     """A box of cells. Particles outside it belong to the nearest cell, which keeps neighbours in adjacent cells."""

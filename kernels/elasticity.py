@@ -140,19 +140,25 @@ def settle_bodies(launch, elastic, bonds, froze, mass, density, body_volume, cor
     launch(_invert_moments, mass.shape[0], [elastic, bonds, body_volume, correction])
 
 
+def find_stress(launch, elastic, bonds, position, body_volume, correction, deformation, stress) -> None:
+    """Write the deformation gradient and the stress of bonded particles, each (n,).
+
+    Vijaykumar (2012), equations (4.3), (4.5), (4.6), (4.9), with the displacement gradient corrected by the moment
+    matrix so that a turned body feels no force. ``stress`` is the first Piola-Kirchhoff stress [Pa] times the
+    correction, as the forces need it.
+    """
+    launch(_find_stress, position.shape[0], [elastic, bonds, position, body_volume, correction, deformation, stress])
+
+
 def add_elastic_forces(
-    launch, elastic, bonds, position, role, mass, body_volume, correction, deformation, stress, acceleration
+    launch, elastic, bonds, position, role, mass, body_volume, deformation, stress, acceleration
 ) -> None:
     """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
 
-    Vijaykumar (2012), equations (4.3)-(4.14), with the displacement gradient corrected by the moment matrix so that a
-    turned body feels no force; zero-energy modes are held down as by Ganzenmueller (2015).
-    ``deformation`` (n,) holds the deformation gradient, ``stress`` (n,) the corrected first Piola-Kirchhoff stress [Pa].
+    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015).
     """
-    n = position.shape[0]
-    launch(_find_stress, n, [elastic, bonds, position, body_volume, correction, deformation, stress])
     launch(
         _add_elastic_force,
-        n,
+        position.shape[0],
         [elastic, bonds, position, role, mass, body_volume, deformation, stress, acceleration],
     )

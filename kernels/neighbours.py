@@ -9,9 +9,6 @@ from warpsph.kernels.pairs import NeighbourList
 wp.set_module_options({"enable_backward": False})
 
 
-
-
-
 @wp.kernel
 def _list_neighbours(
     first: int,
@@ -24,7 +21,7 @@ def _list_neighbours(
     longest_row: wp.array[int],
 ):
     i = wp.tid() + first
-    n = int(0)
+    n = 0
     if role[i] != Role.RESERVOIR:
         x_i = position[i]
         c = cell_of(grid, x_i)
@@ -35,7 +32,11 @@ def _list_neighbours(
                 row = (z * grid.ny + y) * grid.nx
                 for j in range(start[row + low], start[row + high + 1]):
                     d = x_i - position[j]
-                    if wp.dot(d, d) < radius * radius and j != i and not (role[i] == Role.DUMMY and role[j] == Role.DUMMY):
+                    if (
+                        wp.dot(d, d) < radius * radius
+                        and j != i
+                        and not (role[i] == Role.DUMMY and role[j] == Role.DUMMY)
+                    ):
                         if n < neighbours.capacity:
                             neighbours.entry[i * neighbours.row_stride + n * neighbours.entry_stride] = j
                         n += 1
@@ -50,9 +51,7 @@ def list_neighbours(launch, grid, start, position, role, radius, neighbours, lon
     Particles must stand in the order of their cells. A row that would overflow is cut and its full length goes to
     ``longest_row`` (1,), which the host must look at.
     """
-    launch(
-        _list_neighbours, position.shape[0], [grid, start, position, role, radius, neighbours, longest_row]
-    )
+    launch(_list_neighbours, position.shape[0], [grid, start, position, role, radius, neighbours, longest_row])
 
 
 @wp.kernel

@@ -84,13 +84,13 @@ def _ride(first: int, water: Water, neighbours: NeighbourList, exchange: Exchang
 @wp.kernel
 def _boil(first: int, water: Water, exchange: Exchange):
     i = wp.tid() + first
-    if exchange.role[i] == Role.SPRAY and (exchange.enthalpy[i] >= water.boiled or exchange.position[i][0] < water.lost):
+    if exchange.role[i] == Role.SPRAY and (
+        exchange.enthalpy[i] >= water.boiled or exchange.position[i][0] < water.lost
+    ):
         take_out(exchange, i)
 
 
-def spray(
-    launch, interval, zones, water, neighbours, time, reservoir_start, due, sprayed, missing, exchange
-) -> None:
+def spray(launch, interval, zones, water, neighbours, time, reservoir_start, due, sprayed, missing, exchange) -> None:
     """Fly, ride, boil and spray again (Vijaykumar 2012, section 6.4).
 
     ``due`` (zones,) is the fraction of the next particle; ``sprayed`` (zones,) counts particles; ``missing`` (1,) those
@@ -99,6 +99,4 @@ def spray(
     n = exchange.role.shape[0]
     launch(_ride, n, [water, neighbours, exchange])
     launch(_boil, n, [water, exchange])
-    launch.whole(
-        _emit, 1, [interval, zones, water, time, reservoir_start, due, sprayed, missing, exchange]
-    )
+    launch.whole(_emit, 1, [interval, zones, water, time, reservoir_start, due, sprayed, missing, exchange])

@@ -23,16 +23,18 @@ def _extrapolate_pressure(
     i = wp.tid() + first
     if role[i] == Role.WALL or role[i] == Role.DUMMY:
         x_i = position[i]
-        weighted = float(0.0)
-        weight = float(0.0)
+        weighted = 0.0
+        weight = 0.0
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if is_fluid(role[j]):
                 d = x_i - position[j]
                 w = poly6_value(wp.dot(d, d), fluid.support) * fluid.density_scale
-                weighted += w * (pressure[j] + density[j] * wp.dot(fluid.gravity, d))  # Adami (27), wall not accelerated
+                weighted += w * (
+                    pressure[j] + density[j] * wp.dot(fluid.gravity, d)
+                )  # Adami (27), wall not accelerated
                 weight += w
-        p = float(0.0)
+        p = 0.0
         if weight > 0.0:
             p = wp.max(weighted / weight, fluid.lowest_pressure)
         pressure[i] = p

@@ -45,15 +45,17 @@ class Casting(Scenario):
     level: float = parameter(0.44, "m", "height of the meniscus above the outflow", ge=0.1, le=5.0)
     mould_bottom: float = parameter(0.24, "m", "lower end of the mould", ge=0.0, le=5.0)
     mould_top: float = parameter(0.50, "m", "upper end of the mould", ge=0.05, le=5.5)
-    mould_stroke: float = parameter(0.006, "m", "stroke of the mould's oscillation, turning point to turning point", ge=0, le=0.05)
-    mould_frequency: float = parameter(1.5, "Hz", "frequency of the mould's oscillation", ge=0, le=10)
-    mould_conductance: float = parameter(
-        1180.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5
+    mould_stroke: float = parameter(
+        0.006, "m", "stroke of the mould's oscillation, turning point to turning point", ge=0, le=0.05
     )
+    mould_frequency: float = parameter(1.5, "Hz", "frequency of the mould's oscillation", ge=0, le=10)
+    mould_conductance: float = parameter(1180.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
     nozzle_mouth: float = parameter(0.36, "m", "height of the mouth of the submerged nozzle", gt=0, le=5.0)
     nozzle_columns: int = parameter(3, "", "particles across the half nozzle", ge=1, le=50)
     casting_speed: float = parameter(0.01, "m/s", "speed of the strand at the level asked for", gt=0, le=0.2)
-    level_gain: float = parameter(40.0, "", "relative rise of the pouring speed per relative shortage of level", ge=0, le=1e3)
+    level_gain: float = parameter(
+        40.0, "", "relative rise of the pouring speed per relative shortage of level", ge=0, le=1e3
+    )
 
     pouring_temperature: float = parameter(1933.15, "K", "temperature of the melt in the nozzle", gt=1000, le=2500)
     density: float = parameter(2100.0, "kg/m^3", "density of the steel (scaled down, see the theory)", ge=100, le=1e4)
@@ -68,7 +70,9 @@ class Casting(Scenario):
     spray_flux: float = parameter(0.2528, "kg/(m^2 s)", "water sprayed on the shell below the mould", ge=0, le=50)
     spray_particle: float = parameter(1.0e-3, "kg/m", "mass of one particle of water", gt=0, le=1)
     spray_speed: float = parameter(0.5, "m/s", "speed of the water", gt=0, le=20)
-    spray_zones: int = parameter(3, "", "number of zones between mould and outflow, the first under the mould", ge=1, le=20)
+    spray_zones: int = parameter(
+        3, "", "number of zones between mould and outflow, the first under the mould", ge=1, le=20
+    )
     spray_failure: float | None = parameter(None, "s", "time at which the failing zones go off; none: never", ge=0)
     spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
 
@@ -84,7 +88,10 @@ class Casting(Scenario):
         if not self.mould_bottom < self.level < self.mould_top:
             refuse("level", f"must lie between mould_bottom {self.mould_bottom} and mould_top {self.mould_top} m")
         if not self.mould_bottom < self.nozzle_mouth < self.level:
-            refuse("nozzle_mouth", f"must lie in the melt between mould_bottom {self.mould_bottom} and level {self.level} m")
+            refuse(
+                "nozzle_mouth",
+                f"must lie in the melt between mould_bottom {self.mould_bottom} and level {self.level} m",
+            )
         if self.nozzle_columns * self.spacing > 0.5 * self.half_width:
             refuse("nozzle_columns", f"the nozzle takes more than half of half_width {self.half_width} m")
         if self.roll_first + 0.5 * self.roll_size > self.mould_bottom:
@@ -203,7 +210,7 @@ class Casting(Scenario):
         particles.add(points[withdrawn], Role.OUTFLOW, STEEL, temperature[withdrawn], down)
 
         filling = lattice((0.0, 0.0), (bore, top - self.nozzle_mouth), dx)
-        filling[:, 1] = top - filling[:, 1] + 0.5 * dx - dx
+        filling[:, 1] = top - filling[:, 1] + 0.5 * dx
         filling = filling[filling[:, 1] > self.nozzle_mouth]
         particles.add(filling, Role.INFLOW, STEEL, self.pouring_temperature)
         reserve = np.tile([[0.0, top, 0.0]], (len(x) // 5, 1))
@@ -239,9 +246,7 @@ class Casting(Scenario):
         reserve = int(flow / self.spray_particle * in_flight) + 10
         parked = np.tile([[nozzle, 0.0, 0.0]], (reserve, 1))
         volume = self.spray_particle / WATER.density
-        particles.add(
-            parked, Role.RESERVOIR, SPRAY_WATER, SPRAY_TEMPERATURE, flows=False, volume=volume
-        )
+        particles.add(parked, Role.RESERVOIR, SPRAY_WATER, SPRAY_TEMPERATURE, flows=False, volume=volume)
         return Spray(
             zones,
             nozzle,

@@ -1,8 +1,9 @@
 """Where kernels run: one CUDA graph on a GPU, one graph a thread on a CPU. The only place that decides."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
+from contextlib import contextmanager
 
 import warp as wp
 
@@ -38,6 +39,7 @@ class Executor:
         self.device = _find_device(device)
         self.threads = 1 if self.device.is_cuda else _thread_count(threads)
         self._slice: int | None = None
+        self._in_section = False
         self._meeting = wp.zeros(64, dtype=int, device=self.device)
         self._pool = ThreadPoolExecutor(self.threads, "warpsph")
 
@@ -63,8 +65,21 @@ class Executor:
         """Launch ``kernel`` without cutting it: for counters that several indices share, and for single-thread work."""
         if self._slice is None or self._slice == 0:
             wp.launch(kernel, dim=dim, inputs=[0, *inputs], device=self.device)
-        if self._slice is not None:
-            self._meet()
+        self._meet()
+
+    @contextmanager
+    def section(self) -> Iterator[None]:
+        """Launches inside do not wait for each other; threads meet once, at the end.
+
+        Allowed where no launch inside reads another particle's data that a launch inside writes, and all launches are
+        over the same range.
+        """
+        self._in_section = True
+        try:
+            yield
+        finally:
+            self._in_section = False
+        self._meet()
 
     def when(self, flag: wp.array, body: Callable[[], None]) -> None:
         """Do ``body`` if ``flag[0]`` is not zero; decided on the device."""
@@ -96,7 +111,7 @@ class Executor:
             job.result()
 
     def _meet(self) -> None:
-        if self.threads > 1:
+        if self._slice is not None and self.threads > 1 and not self._in_section:
             wp.launch(barrier, dim=1, inputs=[self._meeting, self.threads], device=self.device)
 
 

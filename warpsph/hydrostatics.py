@@ -24,7 +24,9 @@ def row_heights(rows: int, spacing: float, gravity: float, sound_speed: float) -
     return floor - depth
 
 
-def column_pressure(depth: np.ndarray | float, density: float, gravity: float, sound_speed: float) -> np.ndarray | float:
+def column_pressure(
+    depth: np.ndarray | float, density: float, gravity: float, sound_speed: float
+) -> np.ndarray | float:
     """Pressure [Pa] at a depth [m] below the free surface of the column at rest (errata of equation 6.4)."""
     ratio = (1.0 + (GAMMA - 1.0) * gravity * np.maximum(depth, 0.0) / sound_speed**2) ** (1.0 / (GAMMA - 1.0))
     return sound_speed**2 * density / GAMMA * (ratio**GAMMA - 1.0)

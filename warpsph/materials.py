@@ -40,7 +40,9 @@ class Material:
         if len(self.temperatures) != len(self.enthalpies):
             raise InputError(f"material {self.name}: as many temperatures as enthalpies are needed")
         if not self.solidus < self.liquidus:
-            raise InputError(f"material {self.name}: solidus {self.solidus} K must lie below liquidus {self.liquidus} K")
+            raise InputError(
+                f"material {self.name}: solidus {self.solidus} K must lie below liquidus {self.liquidus} K"
+            )
 
     def enthalpy(self, temperature: float | np.ndarray) -> float | np.ndarray:
         """Specific enthalpy [J/kg] at a temperature [K]."""

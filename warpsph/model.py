@@ -135,24 +135,26 @@ class Model:
     def lattice_density(self) -> float:
         """Number density times cell volume that the summation (2.1) finds on the lattice; 1 for a perfect kernel."""
         r_squared = np.append(np.sum(self.lattice_offsets() ** 2, axis=1), 0.0)
-        return float(
-            normalisation("poly6", self.dimension, self.support)
-            * self.cell_volume
-            * np.sum((self.support**2 - r_squared) ** 3)
-        )
+        return self._lattice_sum("poly6", (self.support**2 - r_squared) ** 3)
 
     def lattice_gradient(self) -> float:
-        """Gradient that the spiky kernel finds on the lattice for a field of gradient 1."""
+        """Gradient that the pressure sum (2.3) finds on the lattice for a field of gradient 1."""
         d = self.lattice_offsets()
         r = np.linalg.norm(d, axis=1)
         slope = 3.0 * (self.support - r) ** 2 / r
-        return float(normalisation("spiky", self.dimension, self.support) * self.cell_volume * np.sum(d[:, 0] ** 2 * slope))
+        return self._lattice_sum("spiky", d[:, 0] ** 2 * slope) / self.lattice_density()
+
+    def lattice_viscosity(self) -> float:
+        """Viscosity that the sum (2.5) has on the lattice, over the true one."""
+        d = self.lattice_offsets()
+        laplacian = self.support - np.linalg.norm(d, axis=1)
+        return self._lattice_sum("viscosity", 0.5 * d[:, 0] ** 2 * laplacian) / self.lattice_density()
 
     def lattice_conduction(self) -> float:
         """Diffusivity that conduction by the poly6 kernel has on the lattice, over the true one."""
         d = self.lattice_offsets()
         slope = 6.0 * (self.support**2 - np.sum(d**2, axis=1)) ** 2
-        return float(normalisation("poly6", self.dimension, self.support) * self.cell_volume * np.sum(d[:, 0] ** 2 * slope))
+        return self._lattice_sum("poly6", d[:, 0] ** 2 * slope)
 
     def contact_conductivity(self, conductance: float) -> float:
         """Pair conductivity [W/(m K)] that gives a flat interface between two lattices this conductance [W/(m^2 K)].
@@ -166,3 +168,6 @@ class Model:
         area = self.cell_volume / self.spacing
         scale = normalisation("poly6", self.dimension, self.support) / self.lattice_conduction()
         return float(conductance * area / (2.0 * scale * self.cell_volume**2 * np.sum(layers * slope)))
+
+    def _lattice_sum(self, smoothing_kernel: str, terms: np.ndarray) -> float:
+        return float(normalisation(smoothing_kernel, self.dimension, self.support) * self.cell_volume * np.sum(terms))

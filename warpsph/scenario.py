@@ -79,7 +79,7 @@ class Scenario(BaseModel):
 
     @classmethod
     def verify(cls, simulate: "Callable[[Scenario], Result]", slow: bool) -> Iterable[Check]:
-        """Yield the rows of ``warpsph verify``; ``simulate`` runs one case. Scenarios that need several runs override it.
+        """Yield the rows of ``warpsph verify``; scenarios that need several runs override it.
 
         Args:
             simulate: runs a scenario and returns its result.

@@ -239,9 +239,7 @@ class Simulation:
         summary = {"simulated": f"{self.time:.4g} s in {steps} steps of {self.solver.dt:.3g} s"}
         if recorder.note:
             summary["at the end"] = recorder.note
-        return Result(
-            positions, fields, diagnostics, self.events, self.time, steps, status, wall_time, summary
-        )
+        return Result(positions, fields, diagnostics, self.events, self.time, steps, status, wall_time, summary)
 
 
 class _Recorder:

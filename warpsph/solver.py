@@ -67,36 +67,47 @@ class Solver:
         self.elastic = _elastic_constants(model) if model.elasticity else None
         if model.conduction:
             self.thermal_table = _thermal_table(model, executor.device)
-            self.conduction_scale = (
-                normalisation("poly6", model.dimension, model.support) / model.lattice_conduction()
-            )
+            self.conduction_scale = normalisation("poly6", model.dimension, model.support) / model.lattice_conduction()
         for device in self.devices:
             device.bind(self)
 
     def prepare(self) -> None:
-        """Bring the derived quantities of the initial state up to date: neighbours, temperature, phase, bonds, density."""
+        """Bring what follows from the initial state up to date: neighbours, temperature, phase, bonds, density."""
         if self.model.conduction:
             self._find_temperature()
         self.neighbours.renew_if_outdated()
         if self.model.fluid:
             self._find_density()
+            self._extrapolate_pressure()
         if self.model.phase_change:
             self._change_phase()
 
     def step(self) -> None:
         """Advance the flow by one time step."""
+        section = self.executor.section
         self.neighbours.renew_if_outdated()
         if self.model.fluid:
-            self._find_density()
+            with section():
+                self._find_density()
+                for device in self.devices:
+                    device.after_density(self.dt)
+            self._extrapolate_pressure()
+        with section():
+            motion.advance_clock(self.executor, self.dt, self.time, self.steps)
+            if self.model.fluid:
+                self._find_forces()
+            if self.model.elasticity:
+                self._find_stress()
+        with section():
+            if self.model.elasticity:
+                self._add_elastic_forces()
+            if self.model.fluid:
+                self._kick()
+        with section():
+            self._drift()
             for device in self.devices:
-                device.after_density(self.dt)
-            self._find_forces()
-        if self.model.elasticity:
-            self._add_elastic_forces()
-        self._move()
-        for device in self.devices:
-            device.after_move(self.dt)
-        self._watch()
+                device.after_move(self.dt)
+            self._watch()
 
     def step_with_heat(self) -> None:
         """Advance the flow by one time step, and heat by as many as have passed since the last conduction."""
@@ -123,6 +134,9 @@ class Solver:
             s.pressure,
             s.volume,
         )
+
+    def _extrapolate_pressure(self) -> None:
+        s = self.state
         wall_pressure.extrapolate_pressure(
             self.executor, self.fluid, self.neighbours.list, s.position, s.density, s.role, s.pressure
         )
@@ -143,6 +157,12 @@ class Solver:
             s.acceleration,
         )
 
+    def _find_stress(self) -> None:
+        s = self.state
+        elasticity.find_stress(
+            self.executor, self.elastic, s.bonds, s.position, s.body_volume, s.correction, s.deformation, s.stress
+        )
+
     def _add_elastic_forces(self) -> None:
         s = self.state
         elasticity.add_elastic_forces(
@@ -153,18 +173,17 @@ class Solver:
             s.role,
             s.mass,
             s.body_volume,
-            s.correction,
             s.deformation,
             s.stress,
             s.acceleration,
         )
 
-    def _move(self) -> None:
+    def _kick(self) -> None:
+        motion.kick(self.executor, self.dt, self.state.role, self.state.acceleration, self.state.velocity)
+
+    def _drift(self) -> None:
         s = self.state
-        if self.model.fluid:
-            motion.kick(self.executor, self.dt, s.role, s.acceleration, s.velocity)
         motion.drift(self.executor, self.dt, s.role, s.velocity, s.position, s.position_carry)
-        motion.advance_clock(self.executor, self.dt, self.time, self.steps)
 
     def _watch(self) -> None:
         s, n = self.state, self.neighbours
@@ -240,7 +259,7 @@ def _fluid_constants(model: Model) -> density.Fluid:
     constants.stiffness = model.fluid.sound_speed**2 * model.fluid.reference_density / 7.0
     constants.lowest_pressure = -1.0e30 if model.fluid.tension else 0.0
     constants.pressure_scale = normalisation("spiky", model.dimension, model.support) / model.lattice_gradient()
-    constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support)
+    constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support) / model.lattice_viscosity()
     constants.gravity = wp.vec3(*model.gravity)
     return constants
 
@@ -272,7 +291,5 @@ def _thermal_table(model: Model, device: wp.Device) -> conduction.ThermalTable:
     table.enthalpy = wp.array(enthalpy, dtype=float, device=device)
     table.contact = wp.array(contact, dtype=float, device=device)
     for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
-        setattr(
-            table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device)
-        )
+        setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
     return table

@@ -19,10 +19,10 @@ class BoundaryDevice:
         self.solver, self.state, self.launch = solver, solver.state, solver.executor
 
     def after_density(self, dt: float) -> None:
-        """Act between the pressure and the forces of a step of ``dt`` [s]."""
+        """Act on single particles between the pressure and the forces of a step of ``dt`` [s]."""
 
     def after_move(self, dt: float) -> None:
-        """Act at the end of a step of ``dt`` [s]."""
+        """Act on single particles at the end of a step of ``dt`` [s]."""
 
     def after_heat(self, interval: float) -> None:
         """Act after heat has been conducted for ``interval`` [s], before phases change."""

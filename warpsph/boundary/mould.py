@@ -22,5 +22,12 @@ class OscillatingMould(BoundaryDevice):
     def after_move(self, dt: float) -> None:
         s = self.state
         oscillate(
-            self.launch, self.amplitude, self.frequency, self.solver.time, s.role, s.rest_position, s.position, s.velocity
+            self.launch,
+            self.amplitude,
+            self.frequency,
+            self.solver.time,
+            s.role,
+            s.rest_position,
+            s.position,
+            s.velocity,
         )
