@@ -10,7 +10,7 @@ wp.set_module_options({"enable_backward": False})
 
 @wp.struct
 class BondList:
-    """Rows of bonds: ``count`` (n,); ``partner`` index and ``separation`` x_i - x_j at freezing [m], (n * capacity,)."""
+    """Rows of bonds: ``count`` (n,); ``partner`` and ``separation`` x_i - x_j at freezing [m], (n * capacity,)."""
 
     count: wp.array[int]
     partner: wp.array[int]

@@ -10,7 +10,7 @@ wp.set_module_options({"enable_backward": False})
 
 @wp.struct
 class Nozzle:
-    """``top``, ``mouth`` heights [m]; ``spacing`` of the rows [m]; ``enthalpy`` of the melt [J/kg]; its ``material``."""
+    """``top``, ``mouth`` heights [m]; ``spacing`` of the rows [m]; the melt's ``enthalpy`` [J/kg] and ``material``."""
 
     top: float
     mouth: float

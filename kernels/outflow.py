@@ -37,10 +37,10 @@ def _pass_on(first: int, begin: float, end: float, width: float, exchange: Excha
 
 
 def hold_zone(launch, pressure_per_height, speeds, role, position, velocity, pressure) -> None:
-    """Give the outflow zone the casting speed ``speeds[1]`` and the hydrostatic pressure below the level ``speeds[0]``."""
+    """Give the outflow zone the casting speed ``speeds[1]`` and the pressure of a column up to the level ``speeds[0]``."""
     launch(_hold_zone, role.shape[0], [pressure_per_height, speeds, role, position, velocity, pressure])
 
 
 def pass_on(launch, begin, end, width, exchange) -> None:
-    """Take particles into the zone below ``begin`` [m] (inside ``width`` [m]) and out of the simulation below ``end``."""
+    """Take particles into the zone below ``begin`` [m] (left of ``width`` [m]), and out of the run below ``end``."""
     launch(_pass_on, exchange.role.shape[0], [begin, end, width, exchange])

@@ -1,5 +1,6 @@
 """Continuous casting as in chapter 6 of Vijaykumar (2012): nozzle, melt, shell, mould, rolls, spray, withdrawal."""
 
+from itertools import pairwise
 from typing import ClassVar
 
 import numpy as np
@@ -29,7 +30,7 @@ SPRAY_BOILED = 374.15
 
 
 class Casting(Scenario):
-    """A half strand in the plane: symmetry axis at x = 0, cold face at x = ``half_width``, y upwards from the outflow."""
+    """A half strand in the plane: axis at x = 0, cold face at x = ``half_width``, y upwards from the outflow."""
 
     name: ClassVar[str] = "casting"
     summary: ClassVar[str] = "continuous casting of steel: nozzle, oscillating mould, shell, sprays, withdrawal"
@@ -239,7 +240,7 @@ class Casting(Scenario):
                 rate=flow / self.spray_zones / self.spray_particle,
                 off=self.spray_failure if self.spray_failure is not None and k + 1 in self.spray_failing else 1.0e9,
             )
-            for k, (high, low) in enumerate(zip(edges, edges[1:], strict=False))
+            for k, (high, low) in enumerate(pairwise(edges))
         ]
         nozzle = self.half_width + 0.04
         in_flight = 0.04 / self.spray_speed + 10.0
