@@ -1,0 +1,80 @@
+"""What still pictures, series and movies share: the frames to look at, the view, the look and the painter."""
+
+import sys
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from warpsph.errors import InputError
+from warpsph.pictures import graphics
+from warpsph.pictures.looks import choose_look
+from warpsph.pictures.sheet import Sheet
+from warpsph.pictures.view import make_view
+from warpsph.results import ResultFile
+
+SURVEYED_FRAMES = 9
+
+
+class Drawing:
+    """Draws frames of one result on one sheet, in colours that hold for the whole run.
+
+    Args:
+        result: the run.
+        drawn: numbers of the frames that the view must hold.
+        field: what the colours show; None for the default look.
+        panels: number of panels of the sheet.
+        long_side: of one panel [inch].
+        dots_per_inch: resolution of the sheet.
+
+    Raises:
+        InputError: there is no frame, or no such field.
+    """
+
+    def __init__(
+        self, result: ResultFile, drawn: list[int], field: str | None, panels: int, long_side: float, dots_per_inch: int
+    ) -> None:
+        if len(result.times) == 0:
+            raise InputError(f"{result.path}: holds no frame to draw")
+        self.result = result
+        survey = np.linspace(0, len(result.times) - 1, SURVEYED_FRAMES).round().astype(int).tolist()
+        frames = {k: result.frame(k) for k in {*drawn, *survey}}
+        self.look = choose_look(result, field, list(frames.values()))
+        self.view = make_view(result, [frames[k] for k in drawn])
+        self.sheet = Sheet(self.view, self.look, panels, long_side, dots_per_inch, float(result.times[-1]))
+
+    def draw(self, panel: int, k: int) -> None:
+        """Draw frame ``k`` into a panel."""
+        points, fields = self.result.frame(k)
+        diameters = self.view.diameters(fields["role"])
+        points = self.view.layered(points, fields["role"])
+        image = painter()(points, self.look.colours(fields), diameters, self.view, self.sheet.size)
+        self.sheet.show(panel, image, self.result.times[k])
+
+
+def painter():
+    """The function that paints particles here: VTK's, or where VTK cannot draw matplotlib's."""
+    if graphics.graphics_available():
+        from warpsph.pictures.paint_vtk import paint
+    else:
+        from warpsph.pictures.paint_matplotlib import paint
+
+        _tell_once()
+    return paint
+
+
+@cache
+def _tell_once() -> None:
+    print(graphics.MESSAGE, file=sys.stderr)
+
+
+def check_output(output: Path, suffixes: tuple[str, ...]) -> None:
+    """Refuse, before anything is drawn, a picture that could not be saved.
+
+    Raises:
+        InputError: the format is unknown or the folder is missing.
+    """
+    if output.suffix.lower() not in suffixes:
+        raise InputError(f"{output}: pictures of this kind end in {', '.join(suffixes)}")
+    if not output.parent.is_dir():
+        raise InputError(f"{output}: there is no folder {output.parent}; make it first")

@@ -1,0 +1,50 @@
+"""Whether VTK can draw here: without graphics libraries it does not raise an error, it dies."""
+
+import ctypes
+import functools
+import os
+import subprocess
+import sys
+
+MESSAGE = (
+    "no graphics libraries here, so pictures are drawn in a simpler way; "
+    "for shaded ones install EGL or OSMesa (Debian, Ubuntu: apt-get install libegl1, or libosmesa6)"
+)
+WINDOWS = {
+    "vtkEGLRenderWindow": ("libEGL.so.1",),
+    "vtkOSMesaRenderWindow": ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"),
+    "vtkXOpenGLRenderWindow": ("libGL.so.1",),
+}
+
+DRAW_NOTHING = (
+    "import vtkmodules.vtkRenderingOpenGL2, vtkmodules.vtkRenderingCore as core;"
+    "window = core.vtkRenderWindow(); window.SetOffScreenRendering(1); window.SetSize(8, 8); window.Render()"
+)
+
+
+@functools.cache
+def graphics_available() -> bool:
+    """Look for the libraries, then let a child process draw, which may die in our place; before VTK is imported."""
+    if sys.platform.startswith("linux") and "VTK_DEFAULT_OPENGL_WINDOW" not in os.environ:
+        windows = (window for window, libraries in WINDOWS.items() if any(map(_loads, libraries)))
+        window = next(windows, None)
+        if window is None:
+            return False
+        os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = window
+    return _child_draws()
+
+
+def _loads(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def _child_draws() -> bool:
+    command = [sys.executable, "-c", DRAW_NOTHING]
+    try:
+        return subprocess.run(command, capture_output=True, timeout=60).returncode == 0
+    except (OSError, subprocess.SubprocessError):
+        return False

@@ -1,0 +1,150 @@
+"""The sheet around the particles: axes, time stamps, colour bar and key, the same for every painter."""
+
+from pathlib import Path
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from warpsph.pictures.looks import Look
+from warpsph.pictures.view import View
+
+STILL_SUFFIXES = (".png", ".pdf", ".svg", ".jpg")
+# inches
+LEFT, RIGHT, BOTTOM, TOP, GAP = 0.62, 0.12, 0.5, 0.38, 0.22
+KEY, BAR_WIDTH, BAR_HEIGHT, LINE = 1.35, 0.17, 3.0, 0.23
+WIDEST_ROW = 14.0
+INK, PALE_INK = "#26292e", "#8a8f98"
+
+
+class Sheet:
+    """One or more panels with the same view and look, and one key for all.
+
+    Args:
+        view: what each panel shows.
+        look: what the colours mean.
+        panels: number of panels.
+        long_side: of one panel [inch].
+        dots_per_inch: resolution of the sheet.
+        last_time: of the run [s]; decides on the digits of the time stamps.
+    """
+
+    def __init__(
+        self, view: View, look: Look, panels: int, long_side: float, dots_per_inch: int, last_time: float
+    ) -> None:
+        width, height = long_side * min(1.0, view.aspect), long_side / max(1.0, view.aspect)
+        columns = max(1, min(panels, int((WIDEST_ROW + GAP) / (width + GAP))))
+        rows = -(-panels // columns)
+        with_axes = view.camera is None
+        left, bottom = (LEFT, BOTTOM) if with_axes else (RIGHT, RIGHT)
+        row = height + TOP + (bottom if with_axes else 0.0)
+        key = LINE * (len(look.patches()) + 1.5) + (1.2 if look.bar else 0.0)
+        body = max(rows * row, key)
+        total = (left + columns * (width + GAP) + KEY, body + (0.0 if with_axes else RIGHT))
+
+        # whole and even numbers of pixels, which movies need
+        pixels = [2 * round(dots_per_inch * length / 2) for length in total]
+        self.figure = Figure(
+            figsize=[length / dots_per_inch for length in pixels], dpi=dots_per_inch, facecolor="white"
+        )
+        self.canvas = FigureCanvasAgg(self.figure)
+        self.size = (max(2, round(dots_per_inch * width)), max(2, round(dots_per_inch * height)))
+        self._total, self._view, self._last_time = total, view, last_time
+        self._panels = []
+        for panel in range(panels):
+            across, down = panel % columns, panel // columns
+            place = (left + across * (width + GAP), total[1] - TOP - down * row - height, width, height)
+            axes = self._axes(*place)
+            self._dress(axes, first=across == 0, with_axes=with_axes)
+            self._panels.append(
+                (axes, self._blank(axes), axes.set_title("", loc="left", fontsize=10, color=INK, pad=5))
+            )
+        self._draw_key(look, left + columns * (width + GAP) + 0.1, total[1] - TOP, max(body - TOP - bottom, key - LINE))
+
+    def show(self, panel: int, image: np.ndarray, time: float) -> None:
+        """Put the painted particles (height, width, 3) uint8 of ``time`` [s] into a panel."""
+        _, picture, title = self._panels[panel]
+        picture.set_data(image)
+        title.set_text(f"t = {time_text(time, self._last_time)}")
+
+    def save(self, output: Path) -> None:
+        """Write the sheet to a file."""
+        self.figure.savefig(output)
+
+    def pixels(self) -> np.ndarray:
+        """The sheet as an image (height, width, 3) uint8."""
+        self.canvas.draw()
+        return np.asarray(self.canvas.buffer_rgba())[:, :, :3]
+
+    def _axes(self, left: float, bottom: float, width: float, height: float):
+        """Axes at a place in inches."""
+        across, up = self._total
+        return self.figure.add_axes((left / across, bottom / up, width / across, height / up))
+
+    def _blank(self, axes):
+        view = self._view
+        white = np.full((1, 1, 3), 255, "u1")
+        extent = (view.left, view.right, view.bottom, view.top)
+        return axes.imshow(white, extent=extent, aspect="auto", interpolation="antialiased")
+
+    def _dress(self, axes, first: bool, with_axes: bool) -> None:
+        axes.set_frame_on(False)
+        if not with_axes:
+            axes.set(xticks=[], yticks=[])
+            return
+        axes.tick_params(colors=PALE_INK, labelcolor=INK, labelsize=8, length=3, width=0.6, left=first, labelleft=first)
+        axes.locator_params(axis="x", nbins=max(2, round(self.size[0] / self.figure.dpi * 2.2)))
+        axes.set_xlabel("x [m]", fontsize=8.5, color=INK, labelpad=2)
+        if first:
+            axes.set_ylabel("y [m]", fontsize=8.5, color=INK, labelpad=2)
+
+    def _draw_key(self, look: Look, left: float, top: float, height: float) -> None:
+        patches = look.patches()
+        title = look.bar.title if look.bar else look.title
+        self._text(left, top, title, weight="bold")
+        top -= 1.2 * LINE
+        if look.bar:
+            bar_height = min(BAR_HEIGHT, height - 1.2 * LINE - (len(patches) + 1) * LINE)
+            indent = 0.17 if look.bar.halves else 0.0
+            axes = self._axes(left + indent, top - bar_height, BAR_WIDTH, bar_height)
+            bar = self.figure.colorbar(look.bar.mappable, cax=axes, extend=look.bar.extend, ticks=look.bar.ticks)
+            bar.outline.set_visible(False)
+            bar.ax.tick_params(colors=PALE_INK, labelcolor=INK, labelsize=8, length=3, width=0.6)
+            if look.bar.ticks:
+                bar.ax.yaxis.set_major_formatter("{x:.0f}")
+            else:
+                bar.formatter.set_powerlimits((-3, 5))
+                bar.ax.yaxis.get_offset_text().set(fontsize=8, color=INK, ha="left")
+            for place, text in zip((0.25, 0.75), look.bar.halves, strict=False):
+                at = top - bar_height + place * bar_height
+                self._text(left + 0.06, at, text, rotation=90, va="center", ha="center")
+            top -= bar_height + 0.9 * LINE
+        for name, colour in patches:
+            self.figure.text(
+                (left + 0.07) / self._total[0],
+                top / self._total[1],
+                "●",
+                color=colour,
+                fontsize=11,
+                va="center",
+                ha="center",
+            )
+            self._text(left + 0.22, top, name, va="center")
+            top -= LINE
+
+    def _text(self, left: float, bottom: float, text: str, **style) -> None:
+        self.figure.text(
+            left / self._total[0],
+            bottom / self._total[1],
+            text,
+            **({"fontsize": 8.5, "color": INK, "va": "top"} | style),
+        )
+
+
+def time_text(time: float, last: float) -> str:
+    """A time [s], with the unit and the digits that suit a run until ``last``."""
+    unit, factor = next(
+        ((unit, factor) for unit, factor in (("s", 1.0), ("ms", 1e3)) if factor * last >= 0.5), ("µs", 1e6)
+    )
+    decimals = 0 if factor * last >= 1000 else 1 if factor * last >= 10 else 2
+    return f"{factor * time:.{decimals}f} {unit}"

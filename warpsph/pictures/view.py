@@ -1,0 +1,107 @@
+"""From where a run is looked at: straight on in two dimensions, in perspective from outside in three."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsph.labels import Role
+from warpsph.pictures.looks import Frames
+from warpsph.results import ResultFile
+
+DIRECTION = np.array([0.75, 0.5, 1.0]) / np.linalg.norm([0.75, 0.5, 1.0])
+UP = np.array([0.0, 1.0, 0.0])
+GROUND, GROUND_BRIGHTNESS = 1.3, 0.8  # larger, darker discs behind those in 2-D, so that no paper glitters through
+LAYERS = np.array([0.2, 0.1, 0.0, 0.4, 0.0, 0.3, 0.3])  # by role, in spacings
+DISTANCE = 4.0  # of the eye from the centre, in diagonals of the domain
+
+
+@dataclass(frozen=True)
+class Camera:
+    """An eye and the three directions of its picture, all (3,)."""
+
+    eye: np.ndarray
+    right: np.ndarray
+    up: np.ndarray
+    forward: np.ndarray
+
+
+@dataclass(frozen=True)
+class View:
+    """A rectangle of the picture plane: the x-y plane [m], or with a camera the plane at distance 1 from its eye."""
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+    spacing: float
+    camera: Camera | None = None
+
+    @property
+    def aspect(self) -> float:
+        """Width over height."""
+        return (self.right - self.left) / (self.top - self.bottom)
+
+    def project(self, points: np.ndarray) -> np.ndarray:
+        """(n, 3): place in the picture plane and distance from it."""
+        return _project(points, self.camera) if self.camera else points * (1.0, 1.0, -1.0)
+
+    def layered(self, points: np.ndarray, role: np.ndarray) -> np.ndarray:
+        """Points (n, 3), in two dimensions lifted so that dummies lie at the back and sprays in front."""
+        if self.camera:
+            return points
+        return np.column_stack([points[:, :2], LAYERS[role] * self.spacing])
+
+    def diameters(self, role: np.ndarray) -> np.ndarray:
+        """Diameters (n,) [m]: area or volume is the particle's; walls in 3-D are dots that one can see through."""
+        if self.camera is None:
+            return np.full(len(role), np.sqrt(4.0 / np.pi) * self.spacing)
+        around = np.isin(role, (Role.WALL, Role.DUMMY))
+        return np.where(around, 0.25, np.cbrt(6.0 / np.pi)) * self.spacing
+
+
+def make_view(result: ResultFile, frames: Frames) -> View:
+    """The tightest view of all particles of ``frames``, except for a few that have flown far away."""
+    points = np.concatenate([points for points, _ in frames])
+    spacing = _spacing(result, points)
+    if len(points) == 0:
+        return View(0.0, 1.0, 0.0, 1.0, spacing)
+    if result.provenance.get("dimension") == 3 or np.ptp(points[:, 2]) > spacing:
+        low, high = _box(points)
+        eye = (low + high) / 2 + DISTANCE * (np.linalg.norm(high - low) + spacing) * DIRECTION
+        right = np.cross(UP, DIRECTION)
+        right /= np.linalg.norm(right)
+        camera = Camera(eye, right, np.cross(DIRECTION, right), -DIRECTION)
+        corners = _project(np.clip(points, low, high), camera)[:, :2]
+        (left, bottom), (right, top) = corners.min(axis=0), corners.max(axis=0)
+        margin = spacing / np.linalg.norm(eye - (low + high) / 2)
+    else:
+        camera = None
+        (left, bottom, _), (right, top, _) = _box(points)
+        margin = spacing
+    return View(left - margin, right + margin, bottom - margin, top + margin, spacing, camera)
+
+
+def _project(points: np.ndarray, camera: Camera) -> np.ndarray:
+    seen = points - camera.eye
+    depth = seen @ camera.forward
+    return np.stack([seen @ camera.right / depth, seen @ camera.up / depth, depth], axis=1)
+
+
+def _box(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Lower and upper corner (3,), without those of the outermost half percent that are far from all others."""
+    low, high = np.quantile(points, (0.005, 0.995), axis=0)
+    reach = 0.5 * (high - low)
+    near = points[np.all((points >= low - reach) & (points <= high + reach), axis=1)]
+    return near.min(axis=0), near.max(axis=0)
+
+
+def _spacing(result: ResultFile, points: np.ndarray) -> float:
+    """The stored particle spacing [m], or else a guess from the volume that the particles fill."""
+    stored = result.provenance.get("spacing")
+    if isinstance(stored, int | float) and np.isfinite(stored) and stored > 0:
+        return float(stored)
+    if len(points) < 2:
+        return 1.0
+    extent = np.ptp(points, axis=0)
+    extent = extent[extent > 1e-6 * extent.max()]
+    return float((np.prod(extent) / len(points)) ** (1 / len(extent))) if len(extent) else 1.0
