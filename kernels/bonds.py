@@ -30,7 +30,7 @@ def _update_bonds(
     longest_row: wp.array[int],
 ):
     i = wp.tid() + first
-    n = 0
+    n = int(0)
     if phase[i] == Phase.SOLID:
         row = i * bonds.capacity
         if froze[i] == 0:

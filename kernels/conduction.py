@@ -46,7 +46,7 @@ def _sum_heat(
     x_i = position[i]
     T_i = temperature[i]
     k_i = conductivity[i]
-    total = 0.0
+    total = float(0.0)
     for k in range(neighbours.count[i]):
         j = index_of(entry_of(neighbours, i, k))
         d = x_i - position[j]
@@ -60,7 +60,7 @@ def _sum_heat(
 
 @wp.func
 def temperature_of(table: ThermalTable, material: int, enthalpy: float) -> float:
-    segment = 0
+    segment = int(0)
     last = table.enthalpy.shape[1] - 2
     while segment < last and enthalpy > table.enthalpy[material, segment + 1]:
         segment += 1

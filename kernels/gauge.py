@@ -45,7 +45,7 @@ def _weigh(
     for i in range(part * length, wp.min((part + 1) * length, n)):
         if role[i] == Role.FREE:
             x = position[i]
-            inside = True
+            inside = bool(True)
             for axis in range(3):
                 if x[axis] < flow.low[axis] or x[axis] > flow.high[axis]:
                     inside = False

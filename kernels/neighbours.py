@@ -21,7 +21,7 @@ def _list_neighbours(
     longest_row: wp.array[int],
 ):
     i = wp.tid() + first
-    n = 0
+    n = int(0)
     if role[i] != Role.RESERVOIR:
         x_i = position[i]
         c = cell_of(grid, x_i)

@@ -37,7 +37,7 @@ def _pass_on(first: int, begin: float, end: float, width: float, exchange: Excha
 
 
 def hold_zone(launch, pressure_per_height, speeds, role, position, velocity, pressure) -> None:
-    """Give the outflow zone the casting speed ``speeds[1]`` and the pressure of a column up to the level ``speeds[0]``."""
+    """Give the outflow zone the casting speed ``speeds[1]`` and the pressure below a level of ``speeds[0]``."""
     launch(_hold_zone, role.shape[0], [pressure_per_height, speeds, role, position, velocity, pressure])
 
 

@@ -23,8 +23,8 @@ def _extrapolate_pressure(
     i = wp.tid() + first
     if role[i] == Role.WALL or role[i] == Role.DUMMY:
         x_i = position[i]
-        weighted = 0.0
-        weight = 0.0
+        weighted = float(0.0)
+        weight = float(0.0)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if is_fluid(role[j]):
@@ -34,7 +34,7 @@ def _extrapolate_pressure(
                     pressure[j] + density[j] * wp.dot(fluid.gravity, d)
                 )  # Adami (27), wall not accelerated
                 weight += w
-        p = 0.0
+        p = float(0.0)
         if weight > 0.0:
             p = wp.max(weighted / weight, fluid.lowest_pressure)
         pressure[i] = p
