@@ -122,6 +122,20 @@ def test_wrong_requests_leave_nothing(result, tmp_path):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_unwritable_pictures(result, tmp_path, monkeypatch):
+    """If it failed, a full disk or a protected folder would end in a traceback."""
+    monkeypatch.setattr(graphics, "graphics_available", lambda: False)
+    (tmp_path / "still.png").mkdir()
+    (tmp_path / "movie.mp4").mkdir()
+    with pytest.raises(InputError, match="cannot be written"):
+        render_still(result, tmp_path / "still.png")
+    with pytest.raises(InputError, match="cannot be written"):
+        plot_diagnostics(result, tmp_path / "still.png")
+    with pytest.raises(InputError, match="cannot be written"):
+        render_movie(result, tmp_path / "movie.mp4")
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["movie.mp4", "still.png"]
+
+
 def test_a_file_without_frames_is_refused(tmp_path):
     """If it failed, a run that ended at once would end the picture in a traceback."""
     path = tmp_path / "run.vtkhdf"
@@ -138,7 +152,7 @@ def test_missing_libraries_are_noticed_and_named(result, tmp_path, monkeypatch, 
     monkeypatch.setattr(graphics, "graphics_available", graphics.graphics_available.__wrapped__)
     if sys.platform.startswith("linux"):
         assert not graphics.graphics_available()
-    monkeypatch.setattr(graphics, "_child_draws", lambda: False)
+    monkeypatch.setattr(graphics, "_child_draws", lambda environment: False)
     from warpsph.pictures import drawing
 
     drawing._tell_once.cache_clear()
@@ -155,8 +169,8 @@ def test_osmesa_is_chosen_where_nothing_else_is(monkeypatch):
     """If it failed, a machine with OSMesa alone would lose shaded pictures, or VTK would die."""
     monkeypatch.setenv("VTK_DEFAULT_OPENGL_WINDOW", "to be removed at the end")
     monkeypatch.delenv("VTK_DEFAULT_OPENGL_WINDOW")
-    monkeypatch.setattr(graphics, "_loads", lambda library: library.startswith("libOSMesa"))
-    monkeypatch.setattr(graphics, "_child_draws", lambda: True)
+    monkeypatch.setattr(graphics, "_child_draws", lambda environment: "OSMesa" in environment[graphics.CHOICE])
+    monkeypatch.setattr(graphics, "_loads", lambda library: True)
     assert graphics.graphics_available.__wrapped__()
     assert graphics.os.environ["VTK_DEFAULT_OPENGL_WINDOW"] == "vtkOSMesaRenderWindow"
 

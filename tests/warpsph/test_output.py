@@ -7,6 +7,7 @@ import sys
 import h5py
 import numpy as np
 import pytest
+import pyvista
 
 from warpsph.errors import InputError, WarpsphError
 from warpsph.output import ResultWriter
@@ -73,7 +74,6 @@ def test_nearest_frame_and_last_frame(path):
 
 def test_vtk_and_pyvista_read_every_frame(path):
     """If it failed, ParaView would show nothing, or the particles of another frame."""
-    pyvista = pytest.importorskip("pyvista")
     reader = pyvista.get_reader(path)
     assert reader.reader.GetNumberOfSteps() == len(COUNTS)
     for step in (*range(len(COUNTS)), 1):
@@ -218,6 +218,9 @@ def test_killed_run_leaves_a_readable_file(tmp_path, count, wait):
         assert np.all(fields["velocity"] == step)
     assert np.all(result.diagnostics["level"] == result.diagnostics["time"])
     assert len(result.events) >= 6
+    reader = pyvista.get_reader(path)
+    reader.reader.SetStep(len(result.times) - 1)
+    np.testing.assert_array_equal(reader.read().points, result.frame(-1)[0])
 
 
 def test_steps_that_are_not_whole_are_left_out(path):

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from warpsph.errors import InputError
 from warpsph.pictures.drawing import check_output
 from warpsph.pictures.quantities import DIAGNOSTICS, quantity
-from warpsph.pictures.sheet import INK, PALE_INK, STILL_SUFFIXES
+from warpsph.pictures.sheet import INK, PALE_INK, STILL_SUFFIXES, save
 from warpsph.results import ResultFile
 
 # what is compared in one panel
@@ -69,7 +69,7 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
     for axes in figure.axes:
         # the power of ten beside the title, where it does not push the title up
         axes.set_title(axes.yaxis.get_major_formatter().get_offset(), loc="right", fontsize=8, color=INK)
-    figure.savefig(output)
+    save(figure, output)
 
 
 def _panels(diagnostics: dict[str, np.ndarray]) -> list[tuple[str, list[str]]]:

@@ -10,6 +10,7 @@ MESSAGE = (
     "no graphics libraries here, so pictures are drawn in a simpler way; "
     "for shaded ones install EGL or OSMesa (Debian, Ubuntu: apt-get install libegl1, or libosmesa6)"
 )
+CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"  # the environment variable that VTK obeys
 WINDOWS = {
     "vtkEGLRenderWindow": ("libEGL.so.1",),
     "vtkOSMesaRenderWindow": ("libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"),
@@ -25,13 +26,13 @@ DRAW_NOTHING = (
 @functools.cache
 def graphics_available() -> bool:
     """Look for the libraries, then let a child process draw, which may die in our place; before VTK is imported."""
-    if sys.platform.startswith("linux") and "VTK_DEFAULT_OPENGL_WINDOW" not in os.environ:
-        windows = (window for window, libraries in WINDOWS.items() if any(map(_loads, libraries)))
-        window = next(windows, None)
-        if window is None:
-            return False
-        os.environ["VTK_DEFAULT_OPENGL_WINDOW"] = window
-    return _child_draws()
+    if not sys.platform.startswith("linux") or CHOICE in os.environ:
+        return _child_draws(dict(os.environ))
+    for window, libraries in WINDOWS.items():
+        if any(map(_loads, libraries)) and _child_draws(os.environ | {CHOICE: window}):
+            os.environ[CHOICE] = window
+            return True
+    return False
 
 
 def _loads(library: str) -> bool:
@@ -42,9 +43,9 @@ def _loads(library: str) -> bool:
     return True
 
 
-def _child_draws() -> bool:
+def _child_draws(environment: dict[str, str]) -> bool:
     command = [sys.executable, "-c", DRAW_NOTHING]
     try:
-        return subprocess.run(command, capture_output=True, timeout=60).returncode == 0
+        return subprocess.run(command, capture_output=True, env=environment, timeout=60).returncode == 0
     except (OSError, subprocess.SubprocessError):
         return False

@@ -7,11 +7,11 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize, TwoSlopeNorm, to_rgb
-from matplotlib.ticker import MaxNLocator
 
 from warpsph.labels import Phase, Role
 from warpsph.pictures.palette import MATERIAL_COLOURS, PHASE_COLOURS, ROLE_COLOURS, UNKNOWN, shell_and_melt
 from warpsph.pictures.quantities import FIELDS, quantity, values_of
+from warpsph.pictures.scales import colour_range, ticks_around
 from warpsph.results import ResultFile
 
 BESIDE_THE_FLUID = (Role.WALL, Role.DUMMY, Role.SPRAY)
@@ -31,7 +31,7 @@ Frames = list[tuple[np.ndarray, Fields]]
 
 @dataclass
 class Bar:
-    """A colour bar: what it shows which ends it cannot show, and names of its halves."""
+    """A colour bar: what it shows, which ends it cannot show, its ticks and the names of its halves."""
 
     mappable: ScalarMappable
     title: str
@@ -72,7 +72,7 @@ class QuantityLook:
         self.name = name
         described = quantity(name, FIELDS)
         values = [self._shown(fields) for _, fields in frames]
-        low, high, extend = _range(np.concatenate(values), whole=name == "temperature")
+        low, high, extend = colour_range(np.concatenate(values), whole=name == "temperature")
         self.mappable = ScalarMappable(Normalize(low, high), colormaps[described.colours])
         self.bar = Bar(self.mappable, described.title, extend)
         self.present = _roles_present(frames, self.aside)
@@ -102,7 +102,7 @@ class StrandLook:
         low, high = min(shell.min(), freezing - 1.0), max(melt.max(), freezing + 1.0)
         self.mappable = ScalarMappable(TwoSlopeNorm(freezing, low, high), shell_and_melt())
         self.bar = Bar(
-            self.mappable, "temperature [K]", ticks=_two_slope_ticks(low, freezing, high), halves=("shell", "melt")
+            self.mappable, "temperature [K]", ticks=ticks_around(low, freezing, high), halves=("shell", "melt")
         )
         self.present = _roles_present(frames, BESIDE_THE_FLUID)
 
@@ -175,31 +175,3 @@ def _paint_roles(colours: np.ndarray, role: np.ndarray, roles: Sequence[Role]) -
     beside = np.isin(role, roles)
     colours[beside] = _by_label(role[beside], ROLE_COLOURS)
     return colours
-
-
-def _range(values: np.ndarray, whole: bool) -> tuple[float, float, str]:
-    """Lowest and highest colour and the ends that lie beyond; the outermost half percent may, unless ``whole``."""
-    values = values[np.isfinite(values)]
-    if len(values) == 0:
-        return 0.0, 1.0, "neither"
-    lowest, highest = float(values.min()), float(values.max())
-    low, high = (lowest, highest) if whole else map(float, np.quantile(values, (0.005, 0.995)))
-    # an end is cut only where this gains something: colours for the many instead of the few
-    low = lowest if low - lowest < 0.1 * (high - low) else low
-    high = highest if highest - high < 0.1 * (high - low) else high
-    if high - low <= 1e-6 * max(abs(low), abs(high)):
-        low, high = low - 0.5 * (abs(low) or 1.0), high + 0.5 * (abs(high) or 1.0)
-    extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
-    return low, high, extend[low > lowest, high < highest]
-
-
-def _two_slope_ticks(low: float, middle: float, high: float) -> list[float]:
-    """Round values on both sides of ``middle`` and ``middle`` itself."""
-    locator = MaxNLocator(4, steps=[1, 2, 2.5, 5, 10])
-    ticks = [round(middle)]
-    for start, end in ((low, middle), (middle, high)):
-        margin = 0.12 * (end - start)
-        ticks += [
-            tick for tick in locator.tick_values(start, end) if start <= tick <= end and abs(tick - middle) > margin
-        ]
-    return sorted(ticks)

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsph.errors import InputError
 from warpsph.pictures.drawing import SURVEYED_FRAMES, Drawing, check_output
 from warpsph.results import ResultFile
 
@@ -26,7 +27,7 @@ def render_movie(
         progress: called with (frames done, frames) after each.
 
     Raises:
-        InputError: unknown field or folder, or a file without frames.
+        InputError: unknown field or folder, a movie that cannot be written, or a file without frames.
     """
     import imageio_ffmpeg
 
@@ -56,6 +57,8 @@ def render_movie(
                 progress(k + 1, count)
         video.close()
         os.replace(unfinished, output)
+    except OSError as error:
+        raise InputError(f"{output}: cannot be written: {error.strerror or error}") from None
     finally:
         video.close()
         unfinished.unlink(missing_ok=True)

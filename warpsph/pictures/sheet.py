@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from warpsph.errors import InputError
 from warpsph.pictures.looks import Look
 from warpsph.pictures.view import View
 
@@ -69,7 +70,7 @@ class Sheet:
 
     def save(self, output: Path) -> None:
         """Write the sheet to a file."""
-        self.figure.savefig(output)
+        save(self.figure, output)
 
     def pixels(self) -> np.ndarray:
         """The sheet as an image (height, width, 3) uint8."""
@@ -139,6 +140,18 @@ class Sheet:
             text,
             **({"fontsize": 8.5, "color": INK, "va": "top"} | style),
         )
+
+
+def save(figure: Figure, output: Path) -> None:
+    """Write a figure to a file.
+
+    Raises:
+        InputError: the file cannot be written.
+    """
+    try:
+        figure.savefig(output)
+    except OSError as error:
+        raise InputError(f"{output}: cannot be written: {error.strerror or error}") from None
 
 
 def time_text(time: float, last: float) -> str:
