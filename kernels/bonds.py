@@ -4,24 +4,37 @@ import warp as wp
 
 from warpsph.kernels.labels import Phase
 from warpsph.kernels.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.smoothing import sine_slope, sine_value
 
 wp.set_module_options({"enable_backward": False})
 
 
 @wp.struct
 class BondList:
-    """Rows of bonds: ``count`` (n,); ``partner`` and ``separation`` x_i - x_j at freezing [m], (n * capacity,)."""
+    """Rows of bonds: ``count`` (n,), and for each bond (n * capacity,) its ``partner``, its ``separation`` x_i - x_j at
+    freezing [m], and there the normalised ``slope`` W'/r and ``value`` W of the smoothing kernel."""
 
     count: wp.array[int]
     partner: wp.array[int]
     separation: wp.array[wp.vec3]
+    slope: wp.array[float]
+    value: wp.array[float]
     capacity: int
+
+
+@wp.func
+def copy_bond(bonds: BondList, source: int, target: BondList, place: int):
+    target.partner[place] = bonds.partner[source]
+    target.separation[place] = bonds.separation[source]
+    target.slope[place] = bonds.slope[source]
+    target.value[place] = bonds.value[source]
 
 
 @wp.kernel
 def _update_bonds(
     first: int,
     reach: float,
+    scale: float,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     phase: wp.array[int],
@@ -37,8 +50,7 @@ def _update_bonds(
             for b in range(bonds.count[i]):
                 j = bonds.partner[row + b]
                 if phase[j] == Phase.SOLID and froze[j] == 0:
-                    bonds.partner[row + n] = j
-                    bonds.separation[row + n] = bonds.separation[row + b]
+                    copy_bond(bonds, row + b, bonds, row + n)
                     n += 1
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
@@ -48,6 +60,8 @@ def _update_bonds(
                     if n < bonds.capacity:
                         bonds.partner[row + n] = j
                         bonds.separation[row + n] = d
+                        bonds.slope[row + n] = scale * sine_slope(wp.dot(d, d), reach)
+                        bonds.value[row + n] = scale * sine_value(wp.dot(d, d), reach)
                     n += 1
         if n > bonds.capacity:
             wp.atomic_max(longest_row, 0, n)
@@ -73,8 +87,9 @@ def _move_bonds(first: int, order: wp.array[int], place: wp.array[int], bonds: B
     i = wp.tid() + first
     old = order[i]
     for b in range(bonds.count[old]):
-        target.partner[i * bonds.capacity + b] = place[bonds.partner[old * bonds.capacity + b]]
-        target.separation[i * bonds.capacity + b] = bonds.separation[old * bonds.capacity + b]
+        source = old * bonds.capacity + b
+        copy_bond(bonds, source, target, i * bonds.capacity + b)
+        target.partner[i * bonds.capacity + b] = place[bonds.partner[source]]
     target.count[i] = bonds.count[old]
 
 
@@ -83,17 +98,16 @@ def _copy_bonds(first: int, bonds: BondList, target: BondList):
     i = wp.tid() + first
     target.count[i] = bonds.count[i]
     for b in range(bonds.count[i]):
-        target.partner[i * bonds.capacity + b] = bonds.partner[i * bonds.capacity + b]
-        target.separation[i * bonds.capacity + b] = bonds.separation[i * bonds.capacity + b]
+        copy_bond(bonds, i * bonds.capacity + b, target, i * bonds.capacity + b)
 
 
-def update_bonds(launch, reach, neighbours, position, phase, froze, bonds, longest_row) -> None:
+def update_bonds(launch, reach, scale, neighbours, position, phase, froze, bonds, longest_row) -> None:
     """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``.
 
     A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
-    equation 4.6). A row that would overflow is cut and its full length goes to ``longest_row`` (1,).
+    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is cut and its full length goes to ``longest_row`` (1,).
     """
-    launch(_update_bonds, position.shape[0], [reach, neighbours, position, phase, froze, bonds, longest_row])
+    launch(_update_bonds, position.shape[0], [reach, scale, neighbours, position, phase, froze, bonds, longest_row])
 
 
 def mark_bonded_neighbours(launch, neighbours, bonds) -> None:

@@ -4,7 +4,6 @@ import warp as wp
 
 from warpsph.kernels.bonds import BondList
 from warpsph.kernels.labels import Role
-from warpsph.kernels.smoothing import sine_slope, sine_value
 
 wp.set_module_options({"enable_backward": False})
 
@@ -15,13 +14,10 @@ SMALLEST_DETERMINANT = wp.constant(0.15)
 class Elastic:
     """Constants of the elastic solid.
 
-    ``support`` H [m]; ``scale`` normalisation of the sine kernel; ``lame_lambda``, ``lame_mu`` [Pa]; ``youngs_modulus``
-    [Pa]; ``hourglass`` strength of the hourglass control; ``corrected`` 1 where gradients are corrected by the
+    ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control; ``corrected`` 1 where gradients are corrected by the
     moment matrix, 0 for the form as published; ``depth`` 1 in 2D (the moment matrix has no third row there).
     """
 
-    support: float
-    scale: float
     lame_lambda: float
     lame_mu: float
     youngs_modulus: float
@@ -51,10 +47,9 @@ def _invert_moments(
     if bonds.count[i] > 0:
         moment = wp.mat33()
         for b in range(bonds.count[i]):
-            X = bonds.separation[i * bonds.capacity + b]
-            slope = sine_slope(wp.dot(X, X), elastic.support)
-            moment -= wp.outer(X, X) * (body_volume[bonds.partner[i * bonds.capacity + b]] * slope)
-        moment = moment * elastic.scale
+            place = i * bonds.capacity + b
+            X = bonds.separation[place]
+            moment -= wp.outer(X, X) * (body_volume[bonds.partner[place]] * bonds.slope[place])
         if elastic.planar != 0:
             moment[2, 2] = 1.0
         identity = wp.identity(n=3, dtype=float)
@@ -80,12 +75,12 @@ def _find_stress(
         x_i = position[i]
         gradient = wp.mat33()
         for b in range(bonds.count[i]):
-            j = bonds.partner[i * bonds.capacity + b]
-            X = bonds.separation[i * bonds.capacity + b]
+            place = i * bonds.capacity + b
+            j = bonds.partner[place]
+            X = bonds.separation[place]
             u_ij = position[j] - x_i + X  # Vijaykumar (4.6)
-            slope = body_volume[j] * sine_slope(wp.dot(X, X), elastic.support)
-            gradient += wp.outer(u_ij, X) * slope  # Vijaykumar (4.9), transposed
-        gradient = gradient * elastic.scale * correction[i]
+            gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
+        gradient = gradient * correction[i]
         identity = wp.identity(n=3, dtype=float)
         F = identity + gradient
         strain = 0.5 * (wp.transpose(F) * F - identity)  # Vijaykumar (4.3)
@@ -114,19 +109,18 @@ def _add_elastic_force(
         P_i = stress[i]
         force = wp.vec3()
         for b in range(bonds.count[i]):
-            j = bonds.partner[i * bonds.capacity + b]
-            X = bonds.separation[i * bonds.capacity + b]
-            R_squared = wp.dot(X, X)
+            place = i * bonds.capacity + b
+            j = bonds.partner[place]
+            X = bonds.separation[place]
             v_j = body_volume[j]
             # Vijaykumar (4.13), (4.14) as in his pseudo-code 4.4, gathered over both ends of the bond
-            force += (P_i + stress[j]) * X * (v_j * elastic.scale * sine_slope(R_squared, elastic.support))
+            force += (P_i + stress[j]) * (X * (v_j * bonds.slope[place]))
             if elastic.hourglass > 0.0:
                 # Ganzenmueller (2015), equations 17-20
                 x = x_i - position[j]
-                r = wp.length(x) + 1.0e-12
-                miss = wp.dot(F_i * X + deformation[j] * X - 2.0 * x, x) / r
-                weight = v_j * elastic.scale * sine_value(R_squared, elastic.support) / R_squared
-                force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss / r)
+                miss = wp.dot((F_i + deformation[j]) * X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
+                weight = v_j * bonds.value[place] / wp.dot(X, X)
+                force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)
         acceleration[i] += force * (body_volume[i] / mass[i])
 
 

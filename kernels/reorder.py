@@ -13,10 +13,39 @@ def _gather(first: int, order: wp.array[int], source: wp.array2d[int], target: w
 
 
 @wp.kernel
+def _gather_one_word(first: int, order: wp.array[int], source: wp.array2d[int], target: wp.array2d[int]):
+    i = wp.tid() + first
+    target[i, 0] = source[order[i], 0]
+
+
+@wp.kernel
+def _gather_three_words(first: int, order: wp.array[int], source: wp.array2d[int], target: wp.array2d[int]):
+    i = wp.tid() + first
+    j = order[i]
+    target[i, 0] = source[j, 0]
+    target[i, 1] = source[j, 1]
+    target[i, 2] = source[j, 2]
+
+
+@wp.kernel
 def _copy(first: int, source: wp.array2d[int], target: wp.array2d[int]):
     i = wp.tid() + first
     for word in range(target.shape[1]):
         target[i, word] = source[i, word]
+
+
+@wp.kernel
+def _copy_one_word(first: int, source: wp.array2d[int], target: wp.array2d[int]):
+    i = wp.tid() + first
+    target[i, 0] = source[i, 0]
+
+
+@wp.kernel
+def _copy_three_words(first: int, source: wp.array2d[int], target: wp.array2d[int]):
+    i = wp.tid() + first
+    target[i, 0] = source[i, 0]
+    target[i, 1] = source[i, 1]
+    target[i, 2] = source[i, 2]
 
 
 @wp.kernel
@@ -35,14 +64,18 @@ def words(array: wp.array) -> wp.array:
     )
 
 
-def reorder(launch, order, arrays, scratch) -> None:
+def reorder(launch, order, arrays, spares) -> None:
     """Permute every array (n, words) in place: row i becomes the former row ``order[i]``.
 
-    ``scratch`` is a spare array (n, w) with at least as many words as the widest of them.
+    ``spares`` are as many arrays of the same shapes to work in.
     """
-    for array in arrays:
-        launch(_gather, order.shape[0], [order, array, scratch])
-        launch(_copy, order.shape[0], [scratch, array])
+    kernels = {1: _gather_one_word, 3: _gather_three_words}
+    with launch.section():
+        for array, spare in zip(arrays, spares, strict=True):
+            launch(kernels.get(array.shape[1], _gather), order.shape[0], [order, array, spare])
+    with launch.section():
+        for array, spare in zip(arrays, spares, strict=True):
+            copy(launch, spare, array)
 
 
 def invert(launch, order, place) -> None:
@@ -52,4 +85,5 @@ def invert(launch, order, place) -> None:
 
 def copy(launch, source, target) -> None:
     """Copy an array (n, words)."""
-    launch(_copy, source.shape[0], [source, target])
+    kernels = {1: _copy_one_word, 3: _copy_three_words}
+    launch(kernels.get(source.shape[1], _copy), source.shape[0], [source, target])

@@ -70,7 +70,7 @@ class Casting(Scenario):
 
     spray_flux: float = parameter(0.2528, "kg/(m^2 s)", "water sprayed on the shell below the mould", ge=0, le=50)
     spray_particle: float = parameter(1.0e-3, "kg/m", "mass of one particle of water", gt=0, le=1)
-    spray_speed: float = parameter(0.5, "m/s", "speed of the water", gt=0, le=20)
+    spray_speed: float = parameter(0.2, "m/s", "speed of the water", gt=0, le=20)
     spray_zones: int = parameter(
         3, "", "number of zones between mould and outflow, the first under the mould", ge=1, le=20
     )

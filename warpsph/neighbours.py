@@ -11,8 +11,6 @@ from warpsph.kernels.pairs import NeighbourList
 from warpsph.kernels.reorder import copy, invert, reorder, words
 from warpsph.state import State
 
-WIDEST_ROW = 9  # 32-bit words of a mat33, the widest type a particle has
-
 
 class Neighbours:
     """A list of all pairs within support + skin, renewed on the device when a particle has moved half the skin.
@@ -75,11 +73,15 @@ class Neighbours:
         self._cell, self._rank, self._order, self._place = (wp.zeros(n, dtype=int, device=device) for _ in range(4))
         self._start = wp.zeros(cells + materials + 1, dtype=int, device=device)
         self.reservoir_start = self._start[cells:]
-        self._spare_words = wp.zeros((n, WIDEST_ROW), dtype=int, device=device)
+        self._spares: list[wp.array] = []
         self._spare_bonds = _like(state.bonds) if state.bonds is not None else None
 
     def renew_if_outdated(self) -> None:
         """Sort the particles and list the neighbours anew if ``outdated`` says so."""
+        if not self._spares:  # once the devices have added their arrays
+            self._spares = [
+                wp.empty(words(array).shape, dtype=int, device=array.device) for array in self.state.arrays_to_keep()
+            ]
         self.executor.when(self.outdated, self._renew)
 
     def _renew(self) -> None:
@@ -95,7 +97,7 @@ class Neighbours:
             self._start,
             self._order,
         )
-        reorder(launch, self._order, [words(array) for array in state.per_particle.values()], self._spare_words)
+        reorder(launch, self._order, [words(array) for array in state.arrays_to_keep()], self._spares)
         if state.bonds is not None:
             invert(launch, self._order, self._place)
             bond_kernels.reorder_bonds(launch, self._order, self._place, state.bonds, self._spare_bonds)
@@ -111,7 +113,6 @@ class Neighbours:
 def _like(bonds: bond_kernels.BondList) -> bond_kernels.BondList:
     spare = bond_kernels.BondList()
     spare.capacity = bonds.capacity
-    spare.count, spare.partner, spare.separation = (
-        wp.empty_like(array) for array in (bonds.count, bonds.partner, bonds.separation)
-    )
+    for name in ("count", "partner", "separation", "slope", "value"):
+        setattr(spare, name, wp.empty_like(getattr(bonds, name)))
     return spare

@@ -42,7 +42,7 @@ class Solver:
         lower: np.ndarray,
         upper: np.ndarray,
         speed_limit: float,
-        skin: float = 0.3,
+        skin: float = 0.4,
     ):
         self.executor, self.model, self.state, self.devices = executor, model, state, list(devices)
         self.dt, self.heat_every, self.speed_limit = dt, heat_every, speed_limit
@@ -242,7 +242,15 @@ class Solver:
     def _renew_bonds(self) -> None:
         s, n = self.state, self.neighbours
         bonds.update_bonds(
-            self.executor, self.model.support, n.list, s.position, s.phase, s.froze, s.bonds, self.longest_bond_row
+            self.executor,
+            self.model.support,
+            normalisation("sine", self.model.dimension, self.model.support),
+            n.list,
+            s.position,
+            s.phase,
+            s.froze,
+            s.bonds,
+            self.longest_bond_row,
         )
         elasticity.settle_bodies(
             self.executor, self.elastic, s.bonds, s.froze, s.mass, s.density, s.body_volume, s.correction
@@ -266,8 +274,6 @@ def _fluid_constants(model: Model) -> density.Fluid:
 
 def _elastic_constants(model: Model) -> elasticity.Elastic:
     constants = elasticity.Elastic()
-    constants.support = model.support
-    constants.scale = normalisation("sine", model.dimension, model.support)
     constants.lame_lambda, constants.lame_mu = model.elasticity.lame
     constants.youngs_modulus = model.elasticity.youngs_modulus
     constants.hourglass = model.elasticity.hourglass

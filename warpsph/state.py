@@ -8,6 +8,8 @@ from warpsph.labels import Phase, Role
 from warpsph.model import Model
 from warpsph.particles import Particles
 
+WRITTEN_EVERY_STEP = {"acceleration", "deformation", "stress", "heat_rate"}
+
 
 class State:
     """Particles on the device, as a structure of arrays.
@@ -19,7 +21,7 @@ class State:
     ``enthalpy`` [J/kg] with ``enthalpy_carry``, ``temperature`` [K], ``solid_fraction``, ``conductivity`` [W/(m K)],
     ``thermal_volume``, ``heat_rate`` [W], ``held``, ``heat_held`` [J]. With phase change: ``phase``, ``froze``. With
     elasticity: ``bonds``, ``body_volume``, ``correction``, ``deformation``, ``stress``. Devices may add arrays by
-    :meth:`add`; all arrays move with their particles when these are sorted.
+    :meth:`add`; arrays move with their particles when these are sorted.
     """
 
     def __init__(self, particles: Particles, model: Model, device: wp.Device):
@@ -79,6 +81,10 @@ class State:
         self.per_particle[name] = array
         setattr(self, name, array)
 
+    def arrays_to_keep(self) -> list[wp.array]:
+        """The arrays that must move with their particles; the others are written anew before they are read."""
+        return [array for name, array in self.per_particle.items() if name not in WRITTEN_EVERY_STEP]
+
     def numpy(self, name: str) -> np.ndarray:
         """A copy of one array on the host."""
         return self.per_particle[name].numpy().copy()
@@ -90,4 +96,6 @@ def _empty_bonds(n: int, model: Model, device: wp.Device) -> BondList:
     bonds.count = wp.zeros(n, dtype=int, device=device)
     bonds.partner = wp.zeros(n * bonds.capacity, dtype=int, device=device)
     bonds.separation = wp.zeros(n * bonds.capacity, dtype=wp.vec3, device=device)
+    bonds.slope = wp.zeros(n * bonds.capacity, dtype=float, device=device)
+    bonds.value = wp.zeros(n * bonds.capacity, dtype=float, device=device)
     return bonds

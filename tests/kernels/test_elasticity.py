@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from warpsph.device import Executor
+from warpsph.kernels.smoothing import normalisation
 from warpsph.labels import Phase, Role
 from warpsph.materials import inert
 from warpsph.model import Elasticity, Fluid, Model, PhaseChange
@@ -51,7 +52,8 @@ class Body:
 
     def energy(self, x: np.ndarray) -> float:
         """Strain energy in double precision from the bonds as the device has them (Vijaykumar 4.12)."""
-        bonds, elastic = self.state.bonds, self.solver.elastic
+        bonds, elastic, model = self.state.bonds, self.solver.elastic, self.simulation.model
+        scale = normalisation("sine", model.dimension, model.support)
         count = bonds.count.numpy()
         partner = bonds.partner.numpy().reshape(len(count), -1)
         separation = bonds.separation.numpy().reshape(len(count), bonds.capacity, 3).astype(float)
@@ -61,7 +63,7 @@ class Body:
         for i in range(len(count)):
             j, X = partner[i, : count[i]], separation[i, : count[i]]
             r = np.linalg.norm(X, axis=1)
-            slope = -elastic.scale * np.cos(0.5 * np.pi * r / elastic.support) / r
+            slope = -scale * np.cos(0.5 * np.pi * r / model.support) / r
             u = x[j] - x[i] + X
             gradient = np.einsum("k,ka,kb->ab", volume[j] * slope, u, X) @ correction[i]
             F = np.eye(3) + gradient
