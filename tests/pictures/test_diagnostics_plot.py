@@ -34,6 +34,16 @@ def test_known_names_get_units_and_company(result, tmp_path, titles):
     assert imread(tmp_path / "plot.png").shape[1] > 1000
 
 
+@pytest.mark.parametrize(("dimension", "title"), [(2, "kinetic energy [J/m]"), (3, "kinetic energy [J]")])
+def test_depth_is_counted_where_there_is_one(tmp_path, titles, dimension, title):
+    """If it failed, energies of a three-dimensional run would be given per metre of a depth that it has already."""
+    path = tmp_path / "run.vtkhdf"
+    with ResultWriter(path, {}, {"dimension": dimension}) as writer:
+        writer.write_diagnostics(0.0, {"kinetic_energy": 1.0})
+    plot_diagnostics(ResultFile(path), tmp_path / "plot.png")
+    assert titles == [title]
+
+
 @pytest.mark.parametrize("rows", [1, 2, 30])
 def test_short_and_broken_series(tmp_path, titles, rows):
     """If it failed, the diagnostics of a run of one frame, or of one that lost its values, could not be plotted."""

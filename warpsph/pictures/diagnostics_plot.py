@@ -9,18 +9,20 @@ from matplotlib.figure import Figure
 
 from warpsph.errors import InputError
 from warpsph.pictures.drawing import check_output
-from warpsph.pictures.quantities import DIAGNOSTICS, quantity
+from warpsph.pictures.quantities import DIAGNOSTICS, Quantity, quantity
 from warpsph.pictures.sheet import INK, PALE_INK, STILL_SUFFIXES, save
 from warpsph.results import ResultFile
 
 # what is compared in one panel
 TOGETHER = {
-    "mass [kg/m]": ("mass_inside", "mass_in", "mass_out"),
-    "enthalpy [J/m]": ("enthalpy_inside", "enthalpy_in", "enthalpy_out"),
-    "heat taken away [J/m]": ("heat_mould", "heat_spray"),
-    "heat [J/m]": ("heat_fluid", "heat_wall"),
-    "density [kg/m³]": ("density_min", "density_max"),
+    "mass": ("mass_inside", "mass_in", "mass_out"),
+    "enthalpy": ("enthalpy_inside", "enthalpy_in", "enthalpy_out"),
+    "heat taken away": ("heat_mould", "heat_spray"),
+    "heat": ("heat_fluid", "heat_wall"),
+    "density": ("density_min", "density_max"),
+    "particles": ("particles_inside", "particles_in", "particles_out"),
 }
+PER_METRE_OF_DEPTH = {"kg/m": "kg", "J/m": "J"}
 COORDINATES = ("time", "height")
 LINES = ("#c93a0a", "#2c5f8f", "#35b8a9", "#8a5a9e")
 PANEL_WIDTH, PANEL_HEIGHT = 3.5, 1.9  # inches
@@ -39,7 +41,7 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
     """
     output = Path(output)
     check_output(output, STILL_SUFFIXES)
-    panels = _panels(result.diagnostics)
+    panels = _panels(result.diagnostics, result.provenance.get("dimension", 2))
     if not panels or len(result.diagnostics["time"]) == 0:
         raise InputError(f"{result.path}: holds no diagnostics to plot")
     columns = min(len(panels), 2 if len(panels) <= 6 else 3)
@@ -72,14 +74,16 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
     save(figure, output)
 
 
-def _panels(diagnostics: dict[str, np.ndarray]) -> list[tuple[str, list[str]]]:
+def _panels(diagnostics: dict[str, np.ndarray], dimension: int) -> list[tuple[str, list[str]]]:
     """Title and names of each panel: first the curves, then the maps."""
     group_of = {name: title for title, names in TOGETHER.items() for name in names}
     panels: dict[str, list[str]] = {}
     for name, series in sorted(diagnostics.items(), key=lambda item: (item[1].ndim, _rank(item[0]))):
         if name not in COORDINATES and series.ndim <= 2 and series.size:
-            title = group_of.get(name, quantity(name, DIAGNOSTICS).title)
-            panels.setdefault(title, []).append(name)
+            described = quantity(name, DIAGNOSTICS)
+            unit = PER_METRE_OF_DEPTH.get(described.unit, described.unit) if dimension == 3 else described.unit
+            panel = Quantity(group_of.get(name, described.label), unit)
+            panels.setdefault(panel.title, []).append(name)
     return list(panels.items())
 
 

@@ -7,7 +7,7 @@ import subprocess
 import sys
 
 MESSAGE = (
-    "no graphics libraries here, so pictures are drawn in a simpler way; "
+    "no graphics libraries that work here, so pictures are drawn in a simpler way; "
     "for shaded ones install EGL or OSMesa (Debian, Ubuntu: apt-get install libegl1, or libosmesa6)"
 )
 CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"  # the environment variable that VTK obeys
