@@ -84,9 +84,11 @@ class SurfaceTension:
 
     Args:
         coefficient: sigma [N/m].
+        threshold: gradient of the colour field, in units of 1/H, above which there is a surface.
     """
 
     coefficient: float
+    threshold: float = 0.2
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,18 @@ import warp as wp
 
 from warpsph.boundary.device import BoundaryDevice
 from warpsph.device import Executor
-from warpsph.kernels import bonds, conduction, density, elasticity, forces, motion, neighbours, phase, wall_pressure
+from warpsph.kernels import (
+    bonds,
+    conduction,
+    density,
+    elasticity,
+    forces,
+    motion,
+    neighbours,
+    phase,
+    surface_tension,
+    wall_pressure,
+)
 from warpsph.kernels.smoothing import normalisation
 from warpsph.model import Model
 from warpsph.neighbours import Neighbours
@@ -64,6 +75,7 @@ class Solver:
             model.spacing,
         )
         self.fluid = _fluid_constants(model) if model.fluid else None
+        self.surface = _surface_constants(model) if model.surface_tension else None
         self.elastic = _elastic_constants(model) if model.elasticity else None
         if model.conduction:
             self.thermal_table = _thermal_table(model, executor.device)
@@ -99,6 +111,8 @@ class Solver:
             if self.model.elasticity:
                 self._find_stress()
         with section():
+            if self.model.surface_tension:
+                self._add_surface_tension()
             if self.model.elasticity:
                 self._add_elastic_forces()
             if self.model.fluid:
@@ -154,6 +168,20 @@ class Solver:
             s.volume,
             s.viscosity,
             s.role,
+            s.acceleration,
+        )
+
+    def _add_surface_tension(self) -> None:
+        s = self.state
+        surface_tension.add_surface_tension(
+            self.executor,
+            self.surface,
+            self.neighbours.list,
+            s.position,
+            s.density,
+            s.volume,
+            s.role,
+            s.phase,
             s.acceleration,
         )
 
@@ -269,6 +297,16 @@ def _fluid_constants(model: Model) -> density.Fluid:
     constants.pressure_scale = normalisation("spiky", model.dimension, model.support) / model.lattice_gradient()
     constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support) / model.lattice_viscosity()
     constants.gravity = wp.vec3(*model.gravity)
+    return constants
+
+
+def _surface_constants(model: Model) -> surface_tension.Surface:
+    constants = surface_tension.Surface()
+    constants.support = model.support
+    constants.scale = normalisation("poly6", model.dimension, model.support)
+    constants.dimension = model.dimension
+    constants.tension = model.surface_tension.coefficient
+    constants.threshold = model.surface_tension.threshold / model.support
     return constants
 
 
