@@ -52,7 +52,7 @@ class Casting(Scenario):
     mould_frequency: float = parameter(1.5, "Hz", "frequency of the mould's oscillation", ge=0, le=10)
     mould_conductance: float = parameter(1180.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
     nozzle_mouth: float = parameter(0.36, "m", "height of the mouth of the submerged nozzle", gt=0, le=5.0)
-    nozzle_columns: int = parameter(3, "", "particles across the half nozzle", ge=1, le=50)
+    nozzle_width: float = parameter(0.012, "m", "half width of the nozzle's bore", gt=0, le=1.0)
     casting_speed: float = parameter(0.01, "m/s", "speed of the strand at the level asked for", gt=0, le=0.2)
     level_gain: float = parameter(
         40.0, "", "relative rise of the pouring speed per relative shortage of level", ge=0, le=1e3
@@ -93,8 +93,10 @@ class Casting(Scenario):
                 "nozzle_mouth",
                 f"must lie in the melt between mould_bottom {self.mould_bottom} and level {self.level} m",
             )
-        if self.nozzle_columns * self.spacing > 0.5 * self.half_width:
-            refuse("nozzle_columns", f"the nozzle takes more than half of half_width {self.half_width} m")
+        if not self.spacing <= self.nozzle_width <= 0.5 * self.half_width:
+            refuse(
+                "nozzle_width", f"must lie between spacing {self.spacing} m and half of half_width {self.half_width} m"
+            )
         if self.roll_first + 0.5 * self.roll_size > self.mould_bottom:
             refuse("roll_first", f"the first roll must stand below mould_bottom {self.mould_bottom} m")
         if any(not 1 <= zone <= self.spray_zones for zone in self.spray_failing):
@@ -126,9 +128,9 @@ class Casting(Scenario):
         )
 
     @property
-    def nozzle_width(self) -> float:
-        """Half width of the nozzle's bore [m]."""
-        return self.nozzle_columns * self.spacing
+    def bore(self) -> float:
+        """Half width of the nozzle's bore in whole particles [m]."""
+        return round(self.nozzle_width / self.spacing) * self.spacing
 
     @property
     def spray_heat_flux(self) -> float:
@@ -158,11 +160,11 @@ class Casting(Scenario):
             high=(0.75 * self.half_width, 2.0 * self.mould_top, 1.0),
             target_level=self.level,
             casting_speed=self.casting_speed,
-            area_ratio=self.half_width / self.nozzle_width,
+            area_ratio=self.half_width / self.bore,
             gain=self.level_gain,
         )
         top = self.level + 5.0 * self.spacing
-        row = lattice((0.0, 0.0), (self.nozzle_width, self.spacing), self.spacing)
+        row = lattice((0.0, 0.0), (self.bore, self.spacing), self.spacing)
         row[:, 1] = 0.0
         plane = SymmetryPlane((1.0, 0.0, 0.0), 0.0)
         self._add_strand(particles, top)
@@ -202,15 +204,14 @@ class Casting(Scenario):
         cells = (np.arange(profiles.shape[1]) + 0.5) * self.half_width / profiles.shape[1]
         temperature = np.concatenate([np.interp(columns, cells, profile) for profile in profiles])
 
-        bore = self.nozzle_width
-        in_tube = (y > self.nozzle_mouth) & (x < bore + DUMMY_COLUMNS * dx)
+        in_tube = (y > self.nozzle_mouth) & (x < self.bore + DUMMY_COLUMNS * dx)
         points = np.column_stack([x, y, np.zeros_like(x)])
         strand, withdrawn = ~in_tube & (y > 0.0), y <= 0.0
         down = (0.0, -self.casting_speed, 0.0)
         particles.add(points[strand], Role.FREE, STEEL, temperature[strand], down)
         particles.add(points[withdrawn], Role.OUTFLOW, STEEL, temperature[withdrawn], down)
 
-        filling = lattice((0.0, 0.0), (bore, top - self.nozzle_mouth), dx)
+        filling = lattice((0.0, 0.0), (self.bore, top - self.nozzle_mouth), dx)
         filling[:, 1] = top - filling[:, 1] + 0.5 * dx
         filling = filling[filling[:, 1] > self.nozzle_mouth]
         particles.add(filling, Role.INFLOW, STEEL, self.pouring_temperature)
@@ -224,7 +225,7 @@ class Casting(Scenario):
         outermost = mould[:, 0] > W + (MOULD_COLUMNS - 1) * dx
         particles.add(mould, Role.WALL, MOULD, COOLING_WATER, held=outermost)
         plane.add_dummies(particles, lattice((-DUMMY_COLUMNS * dx, -7 * dx), (0.0, rim), dx), DUMMY)
-        tube = lattice((self.nozzle_width, self.nozzle_mouth), (self.nozzle_width + DUMMY_COLUMNS * dx, rim), dx)
+        tube = lattice((self.bore, self.nozzle_mouth), (self.bore + DUMMY_COLUMNS * dx, rim), dx)
         particles.add(tube, Role.DUMMY, DUMMY)
         for middle in np.arange(self.roll_first, -2 * dx, -self.roll_pitch):
             low, high = middle - 0.5 * self.roll_size, middle + 0.5 * self.roll_size

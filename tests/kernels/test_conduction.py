@@ -110,9 +110,8 @@ def test_contact_conductance(device):
     conductance = 1500.0
     plain = Model(2, SPACING, (STEEL, COPPER))
     contact = {(0, 1): plain.contact_conductivity(conductance)}
-    simulation = bar(
-        device, lambda x: np.where(x[:, 0] > 20 * SPACING, 400.0, 1400.0), materials=(STEEL, COPPER), split=True, contact=contact
-    )  # fmt: skip
+    halves = lambda x: np.where(x[:, 0] > 20 * SPACING, 400.0, 1400.0)  # noqa: E731
+    simulation = bar(device, halves, materials=(STEEL, COPPER), split=True, contact=contact)
     simulation.solver.prepare()
     simulation.solver._conduct(1.0)
     s = simulation.state
