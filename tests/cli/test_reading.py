@@ -12,8 +12,8 @@ from warpsph.cli import main
 def test_list(warpsph_command):
     """If it failed, a scenario or the source it reproduces would not be found."""
     lines = warpsph_command("list").output.splitlines()
-    for name, source in (("ingot", "Nobody 1900, section 1"), ("crooked", "Nobody 1900")):
-        assert any(line.strip().startswith(name) and source in line for line in lines)
+    assert lines[0] == "ingot        A row of particles that cools  [Nobody 1900, section 1]"
+    assert [line.split()[0] for line in lines] == ["ingot", "crooked", "diverging", "patient", "interrupted"]
 
 
 def test_describe(warpsph_command):

@@ -49,6 +49,14 @@ def test_divergence_exits_3_and_does_not_hide_the_others(warpsph_command, tmp_pa
     assert len(json.loads((tmp_path / "rows.json").read_text())) == 1
 
 
+def test_interruption_exits_130(warpsph_command):
+    """If it failed, Ctrl-C would only skip to the next scenario, or count as a failed check."""
+    outcome = warpsph_command("verify", "interrupted", "ingot")
+    assert outcome.code == 130
+    assert outcome.error == "warpsph: interrupted\n"
+    assert "ingot" not in outcome.output
+
+
 def test_slow_checks_are_left_out_unless_asked_for(warpsph_command):
     """If it failed, a quick verification would take hours, or --slow would do nothing."""
     assert "no check without --slow" in warpsph_command("verify", "patient").output

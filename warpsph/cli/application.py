@@ -27,6 +27,7 @@ application = App(
     Exit codes: 0 done, 1 a check failed, 2 the input is wrong, 3 the simulation diverged, 130 interrupted.""",
     help_format="markdown",
     default_parameter=Parameter(negative="", show_default=False),
+    suppress_keyboard_interrupt=False,
     version=lambda: f"warpsph {version('warpsph')}",
 )
 application.command(list_scenarios, name="list", sort_key=0)

@@ -107,6 +107,15 @@ class Patient(Ingot):
             yield Check("patient", "front", "m", 1.0, 1.0, 0.05, "Nobody (2)")
 
 
+class Interrupted(Ingot):
+    """A scenario whose verification is stopped by Ctrl-C."""
+
+    name = "interrupted"
+    presets = ()
+    default_preset = None
+    ending: Literal["normal", "diverge", "interrupt"] = parameter("interrupt", "", "how the run ends")
+
+
 def _frame(temperature: float) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     labels = {name: np.zeros(3, "i4") for name in ("id", "role", "material", "phase")}
     scalars = ("density", "pressure", "temperature", "enthalpy", "solid_fraction")
