@@ -97,6 +97,8 @@ class Casting(Scenario):
             refuse(
                 "nozzle_width", f"must lie between spacing {self.spacing} m and half of half_width {self.half_width} m"
             )
+        if self.spacing > 0.5 * self.roll_size:
+            refuse("spacing", f"a roll of roll_size {self.roll_size} m needs two rows of particles")
         if self.roll_first + 0.5 * self.roll_size > self.mould_bottom:
             refuse("roll_first", f"the first roll must stand below mould_bottom {self.mould_bottom} m")
         if any(not 1 <= zone <= self.spray_zones for zone in self.spray_failing):

@@ -2,25 +2,25 @@
 
 import numpy as np
 
-from warpsph.labels import Role
+from warpsph.labels import Phase, Role
 
 Snapshot = dict[str, np.ndarray]
 
 
 def common_diagnostics(state: Snapshot) -> dict[str, float]:
-    """Kinetic energy [J], highest speed [m/s], and with a fluid the range of its density [kg/m^3].
-
-    Per metre of depth in 2D; over the particles that flow.
+    """Kinetic energy [J], highest speed [m/s], over particles that move, and with a fluid the range of density
+    [kg/m^3] over those that are not solid. Per metre of depth in 2D.
     """
-    flowing = np.isin(state["role"], (Role.FREE, Role.INFLOW, Role.OUTFLOW))
-    if not np.any(flowing):
+    moving = np.isin(state["role"], (Role.FREE, Role.INFLOW, Role.OUTFLOW))
+    if not np.any(moving):
         return {}
-    speed_squared = np.sum(state["velocity"][flowing].astype(float) ** 2, axis=1)
+    speed_squared = np.sum(state["velocity"][moving].astype(float) ** 2, axis=1)
     values = {
-        "kinetic_energy": 0.5 * float(np.sum(state["mass"][flowing] * speed_squared)),
+        "kinetic_energy": 0.5 * float(np.sum(state["mass"][moving] * speed_squared)),
         "highest_speed": float(np.sqrt(np.max(speed_squared))),
     }
-    if "density" in state:
+    flowing = moving & (state["phase"] != Phase.SOLID)
+    if "density" in state and np.any(flowing):
         values["density_min"] = float(np.min(state["density"][flowing]))
         values["density_max"] = float(np.max(state["density"][flowing]))
     return values

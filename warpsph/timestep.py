@@ -15,7 +15,7 @@ def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
     limits = {}
     if model.fluid is not None:
         h = 0.5 * model.support
-        viscosity = max(model.materials[m].viscosity for m in moving)
+        viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
         drag = 2.0 * 4.9633 * viscosity / (h * model.fluid.reference_density)
         limits["sound and viscosity (7.6)"] = 0.5 * h / (model.fluid.sound_speed + drag)
     if model.elasticity is not None and model.fluid is not None:
