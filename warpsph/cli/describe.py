@@ -62,7 +62,7 @@ def _preset_hint(scenario: type[Scenario]) -> str:
 
 def show_value(value: Any) -> str:
     """A parameter's value as it is written after ``--set``."""
-    if isinstance(value, bool):
+    if value is None or isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, float):
         return f"{value:.6g}"
