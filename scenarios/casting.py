@@ -1,12 +1,14 @@
 """Continuous casting as in chapter 6 of Vijaykumar (2012): nozzle, melt, shell, mould, rolls, spray, withdrawal."""
 
+from collections.abc import Callable, Iterable
 from itertools import pairwise
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import model_validator
 
 from warpsph.boundary import Inlet, LevelGauge, OscillatingMould, Outflow, Spray, SprayZone, SymmetryPlane
+from warpsph.case import preset_layer, resolve
 from warpsph.check import Check
 from warpsph.device import Executor
 from warpsph.hydrostatics import row_heights
@@ -77,6 +79,13 @@ class Casting(Scenario):
     spray_failure: float | None = parameter(None, "s", "time at which the failing zones go off; none: never", ge=0)
     spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
 
+    elasticity: Literal["corrected", "published"] = parameter(
+        "corrected", "", "displacement gradient: corrected for rotation, or as published"
+    )
+    start: Literal["hydrostatic", "grid"] = parameter(
+        "hydrostatic", "", "initial rows: as they stand under their weight, or a regular grid"
+    )
+
     roll_pitch: float = parameter(0.04, "m", "distance of the support rolls", gt=0, le=1)
     roll_first: float = parameter(0.215, "m", "height of the middle of the first roll", gt=0, le=5)
     roll_size: float = parameter(0.008, "m", "height of the face of a roll", gt=0, le=0.5)
@@ -126,7 +135,7 @@ class Casting(Scenario):
             fluid=Fluid(self.density, self.sound_speed),
             conduction=Conduction(contact),
             phase_change=PhaseChange(),
-            elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio),
+            elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),
         )
 
     @property
@@ -193,13 +202,21 @@ class Casting(Scenario):
         observer.begin(simulation)
         return simulation
 
+    @classmethod
+    def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
+        """The demo, or the whole run at the thesis's resolution."""
+        case = resolve(cls, [preset_layer(cls, "thesis" if slow else "demo")])
+        yield from case.checks(simulate(case))
+
     def checks(self, result: Result) -> list[Check]:
         return casting_checks(self, result)
 
     def _add_strand(self, particles: Particles, top: float) -> None:
         """Melt and shell at rest under their weight, the moving zones at both ends, and a reserve."""
         dx, floor = self.spacing, -OUTFLOW_ROWS * self.spacing
-        heights = floor + row_heights(round((self.level - floor) / dx), dx, 9.81, self.sound_speed)
+        rows = round((self.level - floor) / dx)
+        settled = row_heights(rows, dx, 9.81, self.sound_speed)
+        heights = floor + (settled if self.start == "hydrostatic" else (np.arange(rows) + 0.5) * dx)
         columns = lattice((0.0, 0.0), (self.half_width, dx), dx)[:, 0]
         x, y = (a.ravel() for a in np.meshgrid(columns, heights))
         profiles = self.slices(heights)

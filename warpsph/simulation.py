@@ -11,6 +11,7 @@ from warpsph.boundary.device import BoundaryDevice
 from warpsph.device import Executor
 from warpsph.diagnostics import Snapshot, common_diagnostics
 from warpsph.errors import DivergenceError, InputError
+from warpsph.interrupt import InterruptRequest
 from warpsph.labels import Role
 from warpsph.model import Model
 from warpsph.output import ResultWriter
@@ -155,25 +156,24 @@ class Simulation:
         writer = self._open(output, overwrite, parameters or {})
         started = wall_clock.perf_counter()
         recorder = _Recorder(self, writer)
-        status = "complete"
+        status = "failed"
         try:
             self._record(min(output_interval, duration))
             recorder.keep()
             cycles_done, cycles = 0, max(round(duration / self._cycle_time), 1)
             per_frame = max(round(output_interval / self._cycle_time), 1)
             meter = _Meter(self, duration, progress)
-            while cycles_done < cycles and status == "complete":
-                until_frame = min(per_frame - cycles_done % per_frame, cycles - cycles_done)
-                batch = min(meter.cycles_at_once, until_frame)
-                try:
+            with InterruptRequest() as interrupt:
+                while cycles_done < cycles and not interrupt.asked:
+                    until_frame = min(per_frame - cycles_done % per_frame, cycles - cycles_done)
+                    batch = min(meter.cycles_at_once, until_frame)
                     self.executor.replay(self._schedule * batch)
-                except KeyboardInterrupt:
-                    status = "interrupted"
-                cycles_done += batch
-                self._look()
-                if batch == until_frame or status == "interrupted":
-                    recorder.keep()
-                meter.update(batch, cycles_done, recorder.note)
+                    cycles_done += batch
+                    self._look()
+                    if batch == until_frame or interrupt.asked:
+                        recorder.keep()
+                    meter.update(batch, cycles_done, recorder.note)
+            status = "complete" if cycles_done == cycles else "interrupted"
         except DivergenceError:
             status = "diverged"
             raise
