@@ -105,7 +105,8 @@ def update_bonds(launch, reach, scale, neighbours, position, phase, froze, bonds
     """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``.
 
     A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
-    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is cut and its full length goes to ``longest_row`` (1,).
+    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is
+    cut and its full length goes to ``longest_row`` (1,).
     """
     launch(_update_bonds, position.shape[0], [reach, scale, neighbours, position, phase, froze, bonds, longest_row])
 

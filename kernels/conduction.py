@@ -36,6 +36,7 @@ def _sum_heat(
     support: float,
     scale: float,
     position: wp.array[wp.vec3],
+    role: wp.array[int],
     temperature: wp.array[float],
     conductivity: wp.array[float],
     thermal_volume: wp.array[float],
@@ -49,12 +50,13 @@ def _sum_heat(
     total = float(0.0)
     for k in range(neighbours.count[i]):
         j = index_of(entry_of(neighbours, i, k))
-        d = x_i - position[j]
-        k_j = conductivity[j]
-        k_pair = table.contact[material[i], material[j]]
-        if k_pair < 0.0:
-            k_pair = 2.0 * k_i * k_j / (k_i + k_j + 1.0e-30)
-        total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(wp.dot(d, d), support)
+        if role[j] != Role.RESERVOIR:
+            d = x_i - position[j]
+            k_j = conductivity[j]
+            k_pair = table.contact[material[i], material[j]]
+            if k_pair < 0.0:
+                k_pair = 2.0 * k_i * k_j / (k_i + k_j + 1.0e-30)
+            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(wp.dot(d, d), support)
     heat_rate[i] = 2.0 * scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass
 
 
@@ -112,7 +114,18 @@ def _update_temperature(
 
 
 def sum_heat(
-    launch, table, neighbours, support, scale, position, temperature, conductivity, thermal_volume, material, heat_rate
+    launch,
+    table,
+    neighbours,
+    support,
+    scale,
+    position,
+    role,
+    temperature,
+    conductivity,
+    thermal_volume,
+    material,
+    heat_rate,
 ) -> None:
     """Write the heat that flows into each particle, ``heat_rate`` (n,) [W] (per metre of depth in 2D).
 
@@ -129,6 +142,7 @@ def sum_heat(
             support,
             scale,
             position,
+            role,
             temperature,
             conductivity,
             thermal_volume,

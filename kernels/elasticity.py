@@ -14,8 +14,9 @@ SMALLEST_DETERMINANT = wp.constant(0.15)
 class Elastic:
     """Constants of the elastic solid.
 
-    ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control; ``corrected`` 1 where gradients are corrected by the
-    moment matrix, 0 for the form as published; ``depth`` 1 in 2D (the moment matrix has no third row there).
+    ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control;
+    ``corrected`` 1 where gradients are corrected by the moment matrix, 0 for the form as published; ``planar`` 1 in
+    2D, where the moment matrix has no third row.
     """
 
     lame_lambda: float

@@ -12,7 +12,10 @@ class Exchange:
     """What changes of a particle when it enters or leaves, each (n,), and what the ledger keeps of its passages.
 
     ``entries``, ``exits`` count passages; ``heat_entered``, ``heat_left`` [J] (float64) are the enthalpies it carried.
-    ``outdated`` (1,) asks for a new neighbour list, ``phase_changed`` (1,) for new bonds.
+    ``reference`` is the position at which the neighbour list was made; ``phase_changed`` (1,) asks for new bonds.
+
+    Neither an entry nor an exit needs a new neighbour list at once: what has left weighs nothing and takes up no room
+    until it comes back, and what enters has no neighbours until it has moved.
     """
 
     role: wp.array[int]
@@ -23,11 +26,13 @@ class Exchange:
     enthalpy: wp.array[float]
     enthalpy_carry: wp.array[float]
     mass: wp.array[float]
+    fluid_mass: wp.array[float]
+    volume: wp.array[float]
+    reference: wp.array[wp.vec3]
     entries: wp.array[int]
     exits: wp.array[int]
     heat_entered: wp.array[wp.float64]
     heat_left: wp.array[wp.float64]
-    outdated: wp.array[int]
     phase_changed: wp.array[int]
 
 
@@ -37,13 +42,23 @@ def bring_in(exchange: Exchange, i: int, role: int, position: wp.vec3, velocity:
     exchange.role[i] = role
     exchange.phase[i] = Phase.LIQUID
     exchange.position[i] = position
+    exchange.reference[i] = position
     exchange.position_carry[i] = wp.vec3()
     exchange.velocity[i] = velocity
     exchange.enthalpy[i] = enthalpy
     exchange.enthalpy_carry[i] = 0.0
+    if role != Role.SPRAY:
+        exchange.fluid_mass[i] = exchange.mass[i]
     exchange.entries[i] += 1
     exchange.heat_entered[i] += wp.float64(exchange.mass[i]) * wp.float64(enthalpy)
-    exchange.outdated[0] = 1
+
+
+@wp.func
+def next_parked(exchange: Exchange, place: int, end: int) -> int:
+    """The first particle from ``place`` on that is still in the reservoir, or ``end``."""
+    while place < end and exchange.role[place] != Role.RESERVOIR:
+        place += 1
+    return place
 
 
 @wp.func
@@ -52,7 +67,8 @@ def take_out(exchange: Exchange, i: int):
     exchange.role[i] = Role.RESERVOIR
     exchange.phase[i] = Phase.LIQUID
     exchange.velocity[i] = wp.vec3()
+    exchange.fluid_mass[i] = 0.0
+    exchange.volume[i] = 0.0
     exchange.exits[i] += 1
     exchange.heat_left[i] += wp.float64(exchange.mass[i]) * wp.float64(exchange.enthalpy[i])
-    exchange.outdated[0] = 1
     exchange.phase_changed[0] = 1

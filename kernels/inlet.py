@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsph.kernels.exchange import Exchange, bring_in
+from warpsph.kernels.exchange import Exchange, bring_in, next_parked
 from warpsph.kernels.labels import Role
 
 wp.set_module_options({"enable_backward": False})
@@ -32,14 +32,15 @@ def _pour(
     exchange: Exchange,
 ):
     travel[0] += speeds[2] * interval
-    taken = reservoir_start[nozzle.material]
+    place = reservoir_start[nozzle.material]
+    end = reservoir_start[nozzle.material + 1]
     while travel[0] >= nozzle.spacing:
         travel[0] -= nozzle.spacing
         for k in range(row.shape[0]):
-            if taken < reservoir_start[nozzle.material + 1]:
-                place = row[k] + wp.vec3(0.0, nozzle.top - travel[0], 0.0)
-                bring_in(exchange, taken, int(Role.INFLOW), place, wp.vec3(0.0, -speeds[2], 0.0), nozzle.enthalpy)
-                taken += 1
+            place = next_parked(exchange, place, end)
+            if place < end:
+                x = row[k] + wp.vec3(0.0, nozzle.top - travel[0], 0.0)
+                bring_in(exchange, place, int(Role.INFLOW), x, wp.vec3(0.0, -speeds[2], 0.0), nozzle.enthalpy)
             else:
                 missing[0] += 1
 

@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsph.kernels.exchange import Exchange, bring_in, take_out
+from warpsph.kernels.exchange import Exchange, bring_in, next_parked, take_out
 from warpsph.kernels.labels import Role
 from warpsph.kernels.pairs import NeighbourList, entry_of, index_of
 
@@ -48,19 +48,20 @@ def _emit(
     missing: wp.array[int],
     exchange: Exchange,
 ):
-    taken = reservoir_start[water.material]
+    place = reservoir_start[water.material]
+    end = reservoir_start[water.material + 1]
     for zone in range(zones.rate.shape[0]):
         if time[0] < wp.float64(zones.off[zone]):
             due[zone] += zones.rate[zone] * interval
         while due[zone] >= 1.0:
             due[zone] -= 1.0
-            if taken < reservoir_start[water.material + 1]:
+            place = next_parked(exchange, place, end)
+            if place < end:
                 sprayed[zone] += 1
                 turn = wp.float64(sprayed[zone]) * GOLDEN_RATIO  # evenly spread for any number of particles
                 height = zones.low[zone] + float(turn - wp.floor(turn)) * (zones.high[zone] - zones.low[zone])
-                place = wp.vec3(water.nozzle, height, 0.0)
-                bring_in(exchange, taken, int(Role.SPRAY), place, wp.vec3(-water.speed, 0.0, 0.0), water.enthalpy)
-                taken += 1
+                x = wp.vec3(water.nozzle, height, 0.0)
+                bring_in(exchange, place, int(Role.SPRAY), x, wp.vec3(-water.speed, 0.0, 0.0), water.enthalpy)
             else:
                 missing[0] += 1
 

@@ -236,6 +236,7 @@ class Solver:
             self.model.support,
             self.conduction_scale,
             s.position,
+            s.role,
             s.temperature,
             s.conductivity,
             s.thermal_volume,

@@ -39,9 +39,9 @@ def exchange_of(solver: "Solver") -> Exchange:
     exchange = Exchange()
     for name in (
         "role", "phase", "position", "position_carry", "velocity", "enthalpy", "enthalpy_carry", "mass",
-        "entries", "exits", "heat_entered", "heat_left",
+        "fluid_mass", "volume", "entries", "exits", "heat_entered", "heat_left",
     ):  # fmt: skip
         setattr(exchange, name, state.per_particle[name])
-    exchange.outdated = solver.neighbours.outdated
+    exchange.reference = solver.neighbours.reference
     exchange.phase_changed = solver.phase_changed
     return exchange
