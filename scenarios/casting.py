@@ -52,7 +52,7 @@ class Casting(Scenario):
         0.006, "m", "stroke of the mould's oscillation, turning point to turning point", ge=0, le=0.05
     )
     mould_frequency: float = parameter(1.5, "Hz", "frequency of the mould's oscillation", ge=0, le=10)
-    mould_conductance: float = parameter(1180.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
+    mould_conductance: float = parameter(1500.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
     nozzle_mouth: float = parameter(0.36, "m", "height of the mouth of the submerged nozzle", gt=0, le=5.0)
     nozzle_width: float = parameter(0.012, "m", "half width of the nozzle's bore", gt=0, le=1.0)
     casting_speed: float = parameter(0.01, "m/s", "speed of the strand at the level asked for", gt=0, le=0.2)
