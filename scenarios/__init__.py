@@ -1,5 +1,9 @@
 """What is simulated: one file per case. Importing this package registers them all."""
 
-from warpsph.scenarios import casting, compensated_drift, heat_gaussian, neighbour_search, rotated_disc
+from warpsph.scenarios.casting import Casting
+from warpsph.scenarios.compensated_drift import CompensatedDrift
+from warpsph.scenarios.heat_gaussian import HeatGaussian
+from warpsph.scenarios.neighbour_search import NeighbourSearch
+from warpsph.scenarios.rotated_disc import RotatedDisc
 
-__all__ = ["casting", "compensated_drift", "heat_gaussian", "neighbour_search", "rotated_disc"]
+__all__ = ["Casting", "CompensatedDrift", "HeatGaussian", "NeighbourSearch", "RotatedDisc"]

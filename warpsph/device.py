@@ -34,8 +34,9 @@ class Executor:
     """
 
     def __init__(self, device: str = "auto", threads: int | None = None):
-        wp.config.quiet = True
-        wp.init()
+        wp.config.log_level = wp.LOG_ERROR
+        with _without_driver_warning():
+            wp.init()
         self.device = _find_device(device)
         self.threads = 1 if self.device.is_cuda else _thread_count(threads)
         self._slice: int | None = None
@@ -120,6 +121,19 @@ def _replay(schedule: Sequence[tuple[Recording, int]], index: int) -> None:
         graph = recording.graphs[index]
         for _ in range(count):
             wp.capture_launch(graph)
+
+
+@contextmanager
+def _without_driver_warning() -> Iterator[None]:
+    """Warp's native part writes to standard error where there is no CUDA driver, whatever the log level."""
+    kept = os.dup(2)
+    with open(os.devnull, "w") as nowhere:
+        os.dup2(nowhere.fileno(), 2)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
 
 
 def _find_device(name: str) -> wp.Device:

@@ -51,7 +51,7 @@ class Scenario(BaseModel):
         if "name" in cls.__dict__:
             _registry[cls.name] = cls
 
-    def __init__(self, **values: Any) -> None:
+    def __init__(self, /, **values: Any) -> None:
         try:
             super().__init__(**values)
         except ValidationError as error:
@@ -102,10 +102,13 @@ def _one_line(scenario: type[Scenario], error: ValidationError) -> str:
     from warpsph.nearest import did_you_mean
 
     first = error.errors()[0]
-    key = ".".join(str(part) for part in first["loc"]) or "(case)"
+    reason = first["msg"].removeprefix("Value error, ")
+    key = ".".join(str(part) for part in first["loc"])
+    if not key:
+        return f"{scenario.name}: {reason}"
     if first["type"] == "extra_forbidden":
         return f"{scenario.name}: unknown parameter '{key}'{did_you_mean(key, scenario.model_fields)}"
     field = scenario.model_fields.get(key)
     unit = (field.json_schema_extra or {}).get("unit", "") if field else ""
     given = first.get("input")
-    return f"{scenario.name}: {key} = {given!r}: {first['msg']}" + (f" [{unit}]" if unit else "")
+    return f"{scenario.name}: {key} = {given!r}: {reason}" + (f" [{unit}]" if unit else "")

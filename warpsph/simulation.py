@@ -164,13 +164,15 @@ class Simulation:
             per_frame = max(round(output_interval / self._cycle_time), 1)
             meter = _Meter(self, duration, progress)
             with InterruptRequest() as interrupt:
-                while cycles_done < cycles and not interrupt.asked:
+                stopping = False
+                while cycles_done < cycles and not stopping:
                     until_frame = min(per_frame - cycles_done % per_frame, cycles - cycles_done)
                     batch = min(meter.cycles_at_once, until_frame)
                     self.executor.replay(self._schedule * batch)
                     cycles_done += batch
                     self._look()
-                    if batch == until_frame or interrupt.asked:
+                    stopping = interrupt.asked
+                    if batch == until_frame or stopping:
                         recorder.keep()
                     meter.update(batch, cycles_done, recorder.note)
             status = "complete" if cycles_done == cycles else "interrupted"

@@ -42,6 +42,7 @@ def impossible(shop: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> t
 
 @calm
 @given(key=keys | st.text(max_size=8), value=values)
+@example(key="self", value="1")
 @example(key="model_config", value="1")
 def test_random_settings(impossible: tuple[str, ...], key: str, value: str):
     """If it failed, some text after --set would end in a traceback or in several lines."""

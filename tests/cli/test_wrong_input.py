@@ -1,5 +1,7 @@
 """Every wrong input is one line on standard error, exit code 2, and nothing is written."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -96,6 +98,22 @@ def test_wrong_case_file_is_one_line_that_names_the_file(warpsph_command, tmp_pa
     assert outcome.error.count("\n") == 1
     assert named in outcome.error
     assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
+
+
+def test_wrong_device_is_one_line_of_the_whole_process(tmp_path: Path):
+    """If it failed, messages of the libraries underneath would drown the one line that matters."""
+    command = [sys.executable, "-m", "warpsph", "run", "heat_gaussian", "--device", "cuda:99"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith("warpsph: device 'cuda:99'")
+    assert done.stderr.count("\n") == 1
+
+
+def test_error_between_parameters_names_the_layer_that_caused_it(warpsph_command, tmp_path: Path):
+    """If it failed, a contradiction between two parameters would be blamed on the wrong place."""
+    (tmp_path / "case.toml").write_text("spacing = 0.9\n")
+    outcome = warpsph_command("run", "ingot", "case.toml", "--set", "count=100", "--until", "1")
+    assert outcome.error == "warpsph: --set: ingot: count = 100: the row must be shorter than 50 m\n"
 
 
 def test_existing_result_is_kept(warpsph_command, tmp_path: Path):

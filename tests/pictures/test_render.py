@@ -161,7 +161,7 @@ def test_missing_libraries_are_noticed_and_named(result, tmp_path, monkeypatch, 
     error = capsys.readouterr().err
     assert error.count("\n") == 1
     assert "libegl1" in error
-    assert "libosmesa6" in error
+    assert "libgl1-mesa-dri" in error
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the choice of a window is for Linux only")

@@ -8,7 +8,7 @@ import sys
 
 MESSAGE = (
     "no graphics libraries that work here, so pictures are drawn in a simpler way; "
-    "for shaded ones install EGL or OSMesa (Debian, Ubuntu: apt-get install libegl1, or libosmesa6)"
+    "for shaded ones install EGL or OSMesa (Debian, Ubuntu: apt-get install libegl1 libgl1-mesa-dri)"
 )
 CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"  # the environment variable that VTK obeys
 WINDOWS = {

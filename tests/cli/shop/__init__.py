@@ -5,6 +5,7 @@ from types import SimpleNamespace
 from typing import ClassVar, Literal
 
 import numpy as np
+from pydantic import model_validator
 
 from warpsph.check import Check
 from warpsph.errors import DivergenceError
@@ -58,6 +59,12 @@ class Ingot(Scenario):
     oscillates: bool = parameter(True, "", "whether the wall moves")
     zones: tuple[float, ...] = parameter((0.1, 0.2), "m", "heights of the spray zones")
     ending: Literal["normal", "diverge", "interrupt"] = parameter("normal", "", "how the run ends")
+
+    @model_validator(mode="after")
+    def _is_short(self) -> "Ingot":
+        if self.count * self.spacing > 50.0:
+            raise ValueError(f"count = {self.count}: the row must be shorter than 50 m")
+        return self
 
     def build(self, executor) -> FakeSimulation:
         return FakeSimulation(self.ending)
