@@ -9,34 +9,19 @@ import numpy as np
 
 from warpsph.boundary.device import BoundaryDevice
 from warpsph.device import Executor
-from warpsph.diagnostics import Snapshot, common_diagnostics
+from warpsph.diagnostics import Snapshot
 from warpsph.errors import DivergenceError, InputError
 from warpsph.interrupt import InterruptRequest
 from warpsph.labels import Role
 from warpsph.model import Model
 from warpsph.output import ResultWriter
 from warpsph.particles import Particles
+from warpsph.progress import Meter, Progress
 from warpsph.provenance import provenance
+from warpsph.recorder import Recorder
 from warpsph.solver import Solver
 from warpsph.state import State
 from warpsph.timestep import conduction_limits, time_step_limits
-
-FRAME_FIELDS = (
-    "id", "role", "material", "phase", "velocity", "density", "pressure", "temperature", "enthalpy", "solid_fraction",
-)  # fmt: skip
-SECONDS_BETWEEN_LOOKS = 0.25
-
-
-@dataclass
-class Progress:
-    """Where a run stands: physical time and its end [s], steps done, speed, wall time left [s], and a note."""
-
-    time: float
-    duration: float
-    steps: int
-    steps_per_second: float
-    seconds_left: float
-    note: str = ""
 
 
 @dataclass
@@ -112,7 +97,7 @@ class Simulation:
             executor, model, self.state, devices, self.longest_step, self.heat_every, lower, upper, speed_limit
         )
         self.events: list[tuple[float, str]] = []
-        self._new_events: list[tuple[float, str]] = []
+        self.new_events: list[tuple[float, str]] = []
 
     @property
     def time(self) -> float:
@@ -122,7 +107,7 @@ class Simulation:
     def note_event(self, time: float, text: str) -> None:
         """Keep that ``text`` happened at ``time`` [s]; it goes to the file and to the result."""
         self.events.append((time, text))
-        self._new_events.append((time, text))
+        self.new_events.append((time, text))
 
     def snapshot(self) -> Snapshot:
         """A copy of all per-particle arrays on the host, in the order of the ids."""
@@ -155,14 +140,14 @@ class Simulation:
         """
         writer = self._open(output, overwrite, parameters or {})
         started = wall_clock.perf_counter()
-        recorder = _Recorder(self, writer)
+        recorder = Recorder(self, writer)
         status = "failed"
         try:
             self._record(min(output_interval, duration))
             recorder.keep()
             cycles_done, cycles = 0, max(round(duration / self._cycle_time), 1)
             per_frame = max(round(output_interval / self._cycle_time), 1)
-            meter = _Meter(self, duration, progress)
+            meter = Meter(self, duration, progress)
             with InterruptRequest() as interrupt:
                 stopping = False
                 while cycles_done < cycles and not stopping:
@@ -233,7 +218,7 @@ class Simulation:
                 f"dt = {solver.dt:.3g} s against limits {_listed(self.limits)}"
             )
 
-    def _result(self, recorder: "_Recorder", status: str, wall_time: float) -> Result:
+    def _result(self, recorder: Recorder, status: str, wall_time: float) -> Result:
         fields = self.snapshot()
         positions = fields.pop("position")
         diagnostics = {name: np.array(values) for name, values in recorder.series.items()}
@@ -242,57 +227,6 @@ class Simulation:
         if recorder.note:
             summary["at the end"] = recorder.note
         return Result(positions, fields, diagnostics, self.events, self.time, steps, status, wall_time, summary)
-
-
-class _Recorder:
-    """Keeps frames and diagnostics, in the file and in memory."""
-
-    def __init__(self, simulation: Simulation, writer: ResultWriter | None):
-        self.simulation, self.writer = simulation, writer
-        self.series: dict[str, list] = {"time": []}
-        self.note = ""
-
-    def keep(self) -> None:
-        simulation, time = self.simulation, self.simulation.time
-        snapshot = simulation.snapshot()
-        values = common_diagnostics(snapshot)
-        if simulation.observe is not None:
-            values |= simulation.observe(snapshot, time)
-        self.series["time"].append(time)
-        for name, value in values.items():
-            self.series.setdefault(name, []).append(value)
-        if simulation.describe is not None:
-            self.note = simulation.describe(values)
-        if self.writer is not None:
-            present = snapshot["role"] != Role.RESERVOIR
-            fields = {name: snapshot[name][present] for name in FRAME_FIELDS if name in snapshot}
-            self.writer.write_frame(time, snapshot["position"][present], fields)
-            self.writer.write_diagnostics(time, values)
-            for event in simulation._new_events:
-                self.writer.write_event(*event)
-        simulation._new_events.clear()
-
-
-class _Meter:
-    """Measures the speed of a run, reports progress, and sizes the batches between two looks."""
-
-    def __init__(self, simulation: Simulation, duration: float, report: Callable[[Progress], None] | None):
-        self.simulation, self.duration, self.report = simulation, duration, report
-        self.cycles_at_once = 1
-        self.started = self.last = wall_clock.perf_counter()
-
-    def update(self, batch: int, cycles_done: int, note: str) -> None:
-        now = wall_clock.perf_counter()
-        per_cycle = max(now - self.last, 1e-6) / batch
-        self.last = now
-        self.cycles_at_once = max(1, min(int(SECONDS_BETWEEN_LOOKS / per_cycle), 4 * self.cycles_at_once))
-        if self.report is None:
-            return
-        time = self.simulation.time
-        steps = cycles_done * self.simulation.heat_every
-        speed = steps / (now - self.started)
-        left = max(self.duration - time, 0.0) / self.simulation.solver.dt / max(speed, 1e-9)
-        self.report(Progress(time, self.duration, steps, speed, left, note))
 
 
 def _choose_step(dt: float | None, limits: dict[str, float]) -> float:

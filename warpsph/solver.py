@@ -6,6 +6,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.boundary.device import BoundaryDevice
+from warpsph.constants import elastic_constants, fluid_constants, surface_constants, thermal_table
 from warpsph.device import Executor
 from warpsph.kernels import (
     bonds,
@@ -74,11 +75,11 @@ class Solver:
             len(model.materials),
             model.spacing,
         )
-        self.fluid = _fluid_constants(model) if model.fluid else None
-        self.surface = _surface_constants(model) if model.surface_tension else None
-        self.elastic = _elastic_constants(model) if model.elasticity else None
+        self.fluid = fluid_constants(model) if model.fluid else None
+        self.surface = surface_constants(model) if model.surface_tension else None
+        self.elastic = elastic_constants(model) if model.elasticity else None
         if model.conduction:
-            self.thermal_table = _thermal_table(model, executor.device)
+            self.thermal_table = thermal_table(model, executor.device)
             self.conduction_scale = normalisation("poly6", model.dimension, model.support) / model.lattice_conduction()
         for device in self.devices:
             device.bind(self)
@@ -286,55 +287,3 @@ class Solver:
         )
         bonds.mark_bonded_neighbours(self.executor, n.list, s.bonds)
         neighbours.clear_flag(self.executor, self.phase_changed, self.bond_events)
-
-
-def _fluid_constants(model: Model) -> density.Fluid:
-    constants = density.Fluid()
-    constants.support = model.support
-    constants.density_scale = normalisation("poly6", model.dimension, model.support)
-    constants.reference_density = model.fluid.reference_density
-    constants.stiffness = model.fluid.sound_speed**2 * model.fluid.reference_density / 7.0
-    constants.lowest_pressure = -1.0e30 if model.fluid.tension else 0.0
-    constants.pressure_scale = normalisation("spiky", model.dimension, model.support) / model.lattice_gradient()
-    constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support) / model.lattice_viscosity()
-    constants.gravity = wp.vec3(*model.gravity)
-    return constants
-
-
-def _surface_constants(model: Model) -> surface_tension.Surface:
-    constants = surface_tension.Surface()
-    constants.support = model.support
-    constants.scale = normalisation("poly6", model.dimension, model.support)
-    constants.dimension = model.dimension
-    constants.tension = model.surface_tension.coefficient
-    constants.threshold = model.surface_tension.threshold / model.support
-    return constants
-
-
-def _elastic_constants(model: Model) -> elasticity.Elastic:
-    constants = elasticity.Elastic()
-    constants.lame_lambda, constants.lame_mu = model.elasticity.lame
-    constants.youngs_modulus = model.elasticity.youngs_modulus
-    constants.hourglass = model.elasticity.hourglass
-    constants.corrected = int(model.elasticity.corrected)
-    constants.planar = int(model.dimension == 2)
-    return constants
-
-
-def _thermal_table(model: Model, device: wp.Device) -> conduction.ThermalTable:
-    nodes = max(len(m.temperatures) for m in model.materials)
-    temperature, enthalpy = (np.zeros((len(model.materials), nodes)) for _ in range(2))
-    for index, material in enumerate(model.materials):
-        highest = material.temperatures[-1] + np.arange(1, nodes - len(material.temperatures) + 1)
-        temperature[index] = np.concatenate([material.temperatures, highest])
-        enthalpy[index] = material.enthalpy(temperature[index])
-    contact = np.full((len(model.materials),) * 2, -1.0)
-    for (a, b), conductivity in model.conduction.contact.items():
-        contact[a, b] = contact[b, a] = conductivity
-    table = conduction.ThermalTable()
-    table.temperature = wp.array(temperature, dtype=float, device=device)
-    table.enthalpy = wp.array(enthalpy, dtype=float, device=device)
-    table.contact = wp.array(contact, dtype=float, device=device)
-    for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
-        setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
-    return table

@@ -11,7 +11,7 @@ from rich.progress import BarColumn, SpinnerColumn, TaskProgressColumn, TextColu
 from rich.progress import Progress as Bars
 
 if TYPE_CHECKING:
-    from warpsph.simulation import Progress
+    from warpsph.progress import Progress
 
 PLAIN_INTERVAL = 5.0  # s between two lines
 

@@ -1,0 +1,64 @@
+"""The constants of a model in the form that the kernels take."""
+
+import numpy as np
+import warp as wp
+
+from warpsph.kernels import conduction, density, elasticity, surface_tension
+from warpsph.kernels.smoothing import normalisation
+from warpsph.model import Model
+
+
+def fluid_constants(model: Model) -> density.Fluid:
+    """Constants of the flow: smoothing kernels normalised so that their sums are exact on the lattice."""
+    constants = density.Fluid()
+    constants.support = model.support
+    constants.density_scale = normalisation("poly6", model.dimension, model.support)
+    constants.reference_density = model.fluid.reference_density
+    constants.stiffness = model.fluid.sound_speed**2 * model.fluid.reference_density / 7.0
+    constants.lowest_pressure = -1.0e30 if model.fluid.tension else 0.0
+    constants.pressure_scale = normalisation("spiky", model.dimension, model.support) / model.lattice_gradient()
+    constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support) / model.lattice_viscosity()
+    constants.gravity = wp.vec3(*model.gravity)
+    return constants
+
+
+def surface_constants(model: Model) -> surface_tension.Surface:
+    """Constants of the surface tension."""
+    constants = surface_tension.Surface()
+    constants.support = model.support
+    constants.scale = normalisation("poly6", model.dimension, model.support)
+    constants.dimension = model.dimension
+    constants.tension = model.surface_tension.coefficient
+    constants.threshold = model.surface_tension.threshold / model.support
+    return constants
+
+
+def elastic_constants(model: Model) -> elasticity.Elastic:
+    """Constants of the elastic solid."""
+    constants = elasticity.Elastic()
+    constants.lame_lambda, constants.lame_mu = model.elasticity.lame
+    constants.youngs_modulus = model.elasticity.youngs_modulus
+    constants.hourglass = model.elasticity.hourglass
+    constants.corrected = int(model.elasticity.corrected)
+    constants.planar = int(model.dimension == 2)
+    return constants
+
+
+def thermal_table(model: Model, device: wp.Device) -> conduction.ThermalTable:
+    """Enthalpy curves, melting ranges and conductivities of all materials, and of their contacts, on the device."""
+    nodes = max(len(m.temperatures) for m in model.materials)
+    temperature, enthalpy = (np.zeros((len(model.materials), nodes)) for _ in range(2))
+    for index, material in enumerate(model.materials):
+        highest = material.temperatures[-1] + np.arange(1, nodes - len(material.temperatures) + 1)
+        temperature[index] = np.concatenate([material.temperatures, highest])
+        enthalpy[index] = material.enthalpy(temperature[index])
+    contact = np.full((len(model.materials),) * 2, -1.0)
+    for (a, b), conductivity in model.conduction.contact.items():
+        contact[a, b] = contact[b, a] = conductivity
+    table = conduction.ThermalTable()
+    table.temperature = wp.array(temperature, dtype=float, device=device)
+    table.enthalpy = wp.array(enthalpy, dtype=float, device=device)
+    table.contact = wp.array(contact, dtype=float, device=device)
+    for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
+        setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
+    return table
