@@ -4,6 +4,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
+from pathlib import Path
 
 import warp as wp
 
@@ -136,6 +137,16 @@ def _without_driver_warning() -> Iterator[None]:
         os.close(kept)
 
 
+def available_cores() -> int:
+    """CPU cores that this process may use: its affinity, and the quota of its container (Linux)."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    try:
+        quota, period = Path("/sys/fs/cgroup/cpu.max").read_text().split()
+        return max(min(cores, int(quota) // int(period)), 1)
+    except (OSError, ValueError):
+        return cores
+
+
 def _find_device(name: str) -> wp.Device:
     available = ["cpu"] + [device.alias for device in wp.get_cuda_devices()]
     if name == "auto":
@@ -148,7 +159,7 @@ def _find_device(name: str) -> wp.Device:
 
 
 def _thread_count(threads: int | None) -> int:
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    cores = available_cores()
     if threads is None:
         return cores
     if not 1 <= threads <= cores:
