@@ -2,8 +2,10 @@
 
 from warpsph.scenarios.casting import Casting
 from warpsph.scenarios.compensated_drift import CompensatedDrift
+from warpsph.scenarios.dam_break import DamBreak
 from warpsph.scenarios.heat_gaussian import HeatGaussian
+from warpsph.scenarios.hydrostatic import Hydrostatic
 from warpsph.scenarios.neighbour_search import NeighbourSearch
 from warpsph.scenarios.rotated_disc import RotatedDisc
 
-__all__ = ["Casting", "CompensatedDrift", "HeatGaussian", "NeighbourSearch", "RotatedDisc"]
+__all__ = ["Casting", "CompensatedDrift", "DamBreak", "HeatGaussian", "Hydrostatic", "NeighbourSearch", "RotatedDisc"]

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from warpsph.boundary.symmetry import SymmetryPlane
 from warpsph.check import Check
 from warpsph.device import Executor
 from warpsph.labels import Role
@@ -78,7 +79,15 @@ class DamBreak(Scenario):
         particles.add(box[cold], Role.WALL, COLD_WALL, self.wall_temperature)
         particles.add(box[~cold & ~glass], Role.DUMMY, TANK)
         particles.add(box[glass], Role.DUMMY, GLASS)
-        return Simulation(executor, model, particles, observe=self._observe)
+        return Simulation(executor, model, particles, devices=self._guards(), observe=self._observe)
+
+    def _guards(self) -> list[SymmetryPlane]:
+        """Mirrors at the faces of the tank, for single drops, which hit the wall particles too fast to be held."""
+        length, depth = 4.0 * self.width, 0.5 * self.width
+        faces = [((1, 0, 0), 0.0), ((-1, 0, 0), -length), ((0, 1, 0), 0.0)]
+        if self.dimension == 3:
+            faces += [((0, 0, 1), 0.0), ((0, 0, -1), -depth)]
+        return [SymmetryPlane(normal, offset) for normal, offset in faces]
 
     def _conductor(self, name: str) -> Material:
         return Material(

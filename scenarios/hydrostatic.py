@@ -7,6 +7,7 @@ import numpy as np
 from warpsph.boundary.settling import Settling
 from warpsph.check import Check
 from warpsph.device import Executor
+from warpsph.hydrostatics import GAMMA, column_pressure
 from warpsph.labels import Role
 from warpsph.materials import inert
 from warpsph.model import Fluid, Model
@@ -15,7 +16,6 @@ from warpsph.scenario import Scenario, parameter
 from warpsph.simulation import Result, Simulation
 
 GRAVITY = 9.81  # [m/s^2]
-GAMMA = 7.0
 THESIS_PRESSURE = 43.8e3  # Vijaykumar (7.1) [Pa]
 
 
@@ -27,20 +27,20 @@ class Hydrostatic(Scenario):
     source = "Vijaykumar (2012), section 7.1; exact column of (1.3) and (1.5)"
     presets = ("coarse", "regular")
 
-    duration: float = parameter(1.4, "s", "physical time to simulate", gt=0, le=1e3)
+    duration: float = parameter(1.0, "s", "physical time to simulate", gt=0, le=1e3)
     output_interval: float = parameter(0.1, "s", "physical time between two frames and diagnostics", gt=0, le=1e3)
     height: float = parameter(2.05, "m", "height of the column at rest", ge=0.05, le=10.0)
     rows: int = parameter(160, "", "rows of particles over the height", ge=10, le=1000)
     columns: int = parameter(60, "", "columns of particles over the width", ge=6, le=1000)
     density: float = parameter(2100.0, "kg/m^3", "reference density", ge=1.0, le=2e4)
     sound_speed: float = parameter(22.4, "m/s", "speed of sound", ge=1.0, le=1e4)
-    viscosity: float = parameter(300.0, "Pa s", "dynamic viscosity", ge=0.0, le=1e5)
+    viscosity: float = parameter(600.0, "Pa s", "dynamic viscosity", ge=0.0, le=1e5)
     start: Literal["hydrostatic", "regular"] = parameter(
         "hydrostatic", "", "arrangement at the start: by the exact pressure, or a regular grid that sinks"
     )
 
     support_ratio: float = parameter(3.0, "", "support of the smoothing kernels over the spacing", ge=2.0, le=6.0)
-    settling: float = parameter(0.7, "s", "time for which a drag calms the start", ge=0.0, le=1e3)
+    settling: float = parameter(0.5, "s", "time for which a drag calms the start", ge=0.0, le=1e3)
 
     @property
     def column_mass(self) -> float:
@@ -54,14 +54,13 @@ class Hydrostatic(Scenario):
         return self.column_mass * lattice.lattice_density() / (self.density * self.rows)
 
     def exact_density(self, y: float | np.ndarray) -> np.ndarray:
-        """Density [kg/m^3] at the height y [m], from (6.4) with (1.5)."""
-        depth = np.maximum(self.height - np.asarray(y, float), 0.0)
-        return self.density * (1.0 + (GAMMA - 1.0) * GRAVITY * depth / self.sound_speed**2) ** (1.0 / (GAMMA - 1.0))
+        """Density [kg/m^3] at the height y [m], from (1.5)."""
+        stiffness = self.sound_speed**2 * self.density / GAMMA
+        return self.density * (1.0 + self.exact_pressure(y) / stiffness) ** (1.0 / GAMMA)
 
     def exact_pressure(self, y: float | np.ndarray) -> np.ndarray:
         """Pressure [Pa] at the height y [m]."""
-        stiffness = self.sound_speed**2 * self.density / GAMMA
-        return stiffness * ((self.exact_density(y) / self.density) ** GAMMA - 1.0)
+        return column_pressure(self.height - np.asarray(y, float), self.density, GRAVITY, self.sound_speed)
 
     def settled(self, y: np.ndarray) -> np.ndarray:
         """Height [m] at rest of what stands at the height y [m] of the lattice."""
