@@ -10,14 +10,19 @@ from pathlib import Path
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.colors import LogNorm
 
 from warpsph.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
+from warpsph.device import Executor
+from warpsph.labels import Role
 from warpsph.nearest import did_you_mean
 from warpsph.pictures import plot_diagnostics, render_series, render_still
 from warpsph.results import ResultFile
+from warpsph.scenarios.dam_break import published_front
+from warpsph.scenarios.neighbour_search import as_matrix
 from warpsph.scenarios.travelling_slice import shell_thickness
 
 matplotlib.use("Agg")
@@ -25,6 +30,12 @@ matplotlib.use("Agg")
 ROOT = Path(__file__).parents[1]
 PICTURES = ROOT / "docs" / "figures"
 RUNS = ROOT / "build" / "figures"
+
+EXPERIMENTS = {
+    "KoshizukaOka1996": "Koshizuka & Oka (1996)",
+    "MM1952_a2.25in_n2=2": "Martin & Moyce (1952), 57 mm",
+    "MM1952_a1.125in_n2=2": "Martin & Moyce (1952), 29 mm",
+}
 
 Figure = Callable[[Path], None]
 figures: dict[str, Figure] = {}
@@ -36,12 +47,13 @@ def figure(draw: Figure) -> Figure:
     return draw
 
 
-def simulated(name: str, preset: str, *settings: str) -> ResultFile:
+def simulated(name: str, preset: str | None = None, *settings: str) -> ResultFile:
     """The result of a preset with ``KEY=VALUE`` settings; figures that ask for the same one share the run."""
-    path = RUNS / f"{'-'.join([name, preset, *settings])}.vtkhdf"
+    path = RUNS / f"{'-'.join([name, preset or 'default', *settings])}.vtkhdf"
     if path not in _finished:
         scenario = find_scenario(name)
-        scenario = resolve(scenario, [preset_layer(scenario, preset), settings_layer(settings)])
+        layers = [preset_layer(scenario, preset)] if preset else []
+        scenario = resolve(scenario, [*layers, settings_layer(settings)])
         with shown_progress(path.stem, error_console()) as progress:
             scenario.run(output=path, overwrite=True, progress=progress, parameters=scenario.as_dict())
         _finished.add(path)
@@ -91,6 +103,138 @@ def casting_shell(picture: Path) -> None:
     left.annotate("mould ends", (0.98, case.mould_bottom), xycoords=("axes fraction", "data"), ha="right", va="bottom")
     left.annotate("nozzle", (0.98, case.nozzle_mouth), xycoords=("axes fraction", "data"), ha="right", va="bottom")
     left.legend(frameon=False, loc="lower left")
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def hydrostatic(picture: Path) -> None:
+    """Pressure and density of every particle of the column at rest, beside the exact column."""
+    case = find_scenario("hydrostatic")()
+    position, fields = simulated("hydrostatic").frame(-1)
+    melt = fields["role"] == Role.FREE
+    y = np.linspace(0.0, case.height, 200)
+    drawing, (left, right) = plt.subplots(1, 2, figsize=(8, 5), sharey=True, layout="constrained")
+    left.plot(1e-3 * fields["pressure"][melt], position[melt, 1], ".", ms=2, label="particles")
+    left.plot(1e-3 * case.exact_pressure(y), y, "k-", lw=1, label="exact column")
+    left.plot(43.8, 0.0, "D", color="C3", clip_on=False, label="Vijaykumar (7.1)")
+    left.set(xlabel="pressure [kPa]", ylabel="height [m]")
+    left.legend(frameon=False)
+    right.plot(fields["density"][melt], position[melt, 1], ".", ms=2)
+    right.plot(case.exact_density(y), y, "k-", lw=1)
+    right.set(xlabel="density [kg/m³]", xlim=(2050.0, 2200.0))
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def heat_gaussian(picture: Path) -> None:
+    """Temperature through the middle of the plate at four times, and the error against the spacing."""
+    case = find_scenario("heat_gaussian")
+    result = simulated("heat_gaussian")
+    drawing, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+    for k, time in enumerate((0.0, 1.0, 2.5, 5.0)):
+        position, fields = result.frame(result.nearest(time))
+        row = np.abs(position[:, 1]) < 0.6 * case().spacing
+        left.plot(position[row, 0], fields["temperature"][row], ".", ms=4, color=f"C{k}", label=f"{time:g} s")
+        x = np.column_stack([np.linspace(-0.5, 0.5, 200), np.full((200, 2), [0.5 * case().spacing, 0.0])])
+        left.plot(x[:, 0], case().exact(x, time), "k-", lw=0.8)
+    left.set(xlabel="x [m]", ylabel="temperature [K]")
+    left.legend(frameon=False)
+    spacings = np.array([0.02, 0.01, 0.005])
+    runs = [simulated("heat_gaussian", None, f"spacing={dx}", "output_interval=5.0") for dx in spacings]
+    errors = [run.diagnostics["largest_error"][-1] for run in runs]
+    right.loglog(1e3 * spacings, errors, "o-", label="largest error over the peak")
+    right.loglog(1e3 * spacings, errors[1] * (spacings / spacings[1]) ** 2, "k--", lw=0.8, label="second order")
+    right.set(xlabel="spacing [mm]", xticks=1e3 * spacings, xticklabels=["20", "10", "5"])
+    right.minorticks_off()
+    right.legend(frameon=False)
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def dam_break(picture: Path) -> None:
+    """The collapse at four times, coloured by temperature."""
+    render_series(simulated("dam_break"), picture, [0.0, 0.2, 0.4, 0.8], field="temperature")
+
+
+@figure
+def dam_break_front(picture: Path) -> None:
+    """The front in the plane and in space beside the experiments."""
+    drawing, axes = plt.subplots(figsize=(6, 4.5), layout="constrained")
+    for preset, label in ((None, "warpsph, 2D"), ("space", "warpsph, 3D")):
+        series = simulated("dam_break", preset).diagnostics
+        time = series["time"] * np.sqrt(2.0 * 9.81 / find_scenario("dam_break")().width)
+        axes.plot(time, series["front"], label=label)
+    for dataset, marker in (("KoshizukaOka1996", "o"), ("MM1952_a2.25in_n2=2", "^"), ("MM1952_a1.125in_n2=2", "v")):
+        axes.plot(*np.transpose(published_front(dataset)), marker, mfc="none", label=EXPERIMENTS[dataset])
+    axes.set(xlim=(0.0, 3.5), ylim=(0.9, 4.1), xlabel=r"$t\sqrt{2g/L}$", ylabel="front / L")
+    axes.legend(frameon=False)
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def dam_break_space(picture: Path) -> None:
+    """The collapse in space."""
+    render_still(simulated("dam_break", "space"), picture, field="temperature", time=0.4)
+
+
+@figure
+def rotated_disc(picture: Path) -> None:
+    """Force on each particle of the turned disc, corrected and as published."""
+    drawing, axes = plt.subplots(1, 2, figsize=(8, 4), layout="constrained")
+    for panel, corrected, title in zip(axes, (True, False), ("corrected", "as published"), strict=True):
+        case = find_scenario("rotated_disc")(corrected=corrected, duration=1e-4, output_interval=1e-4)
+        result = case.run(device="cpu")
+        mass = result.fields["mass"][:, None]
+        force = np.linalg.norm(mass * result.fields["acceleration"], axis=1) / (case.youngs_modulus * case.spacing)
+        x = 1e3 * result.positions
+        dots = panel.scatter(x[:, 0], x[:, 1], s=9, c=np.maximum(force, 1e-8), norm=LogNorm(1e-8, 1.0), cmap="viridis")
+        panel.set(title=title, xlabel="x [mm]", aspect="equal")
+    axes[0].set_ylabel("y [mm]")
+    drawing.colorbar(dots, ax=axes, label=r"force / ($E\,\Delta x$)")
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def compensated_drift(picture: Path) -> None:
+    """Way of the particle, and of one that single precision alone advances."""
+    case = find_scenario("compensated_drift")()
+    series = simulated("compensated_drift").diagnostics
+    place, plain = np.float32(case.start), []
+    for _ in series["time"]:
+        plain.append(place - np.float32(case.start))
+        for _ in range(round(case.output_interval / case.time_step)):
+            place += np.float32(case.speed * case.time_step)
+    drawing, axes = plt.subplots(figsize=(6, 3.5), layout="constrained")
+    axes.plot(series["time"], 1e3 * case.speed * series["time"], "k-", lw=1, label="exact")
+    axes.plot(series["time"], 1e3 * (series["x"] - case.start), "o", label="compensated")
+    axes.plot(series["time"], 1e3 * np.array(plain), "x", label="single precision alone")
+    axes.set(xlabel="time [s]", ylabel=f"way from x = {case.start:g} m [mm]")
+    axes.legend(frameon=False)
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def neighbour_search(picture: Path) -> None:
+    """The neighbours of three particles, with the support and the radius of the list."""
+    simulation = find_scenario("neighbour_search")(count=900).build(Executor("cpu", 1))
+    simulation.solver.prepare()
+    x, listed = simulation.state.numpy("position"), as_matrix(simulation.solver.neighbours.list)
+    middle = x.mean(axis=0)
+    drawing, axes = plt.subplots(figsize=(5, 5), layout="constrained")
+    axes.plot(*x[:, :2].T, ".", color="0.7", ms=4)
+    for k, shift in enumerate(((-0.08, 0.06, 0.0), (0.07, 0.02, 0.0), (-0.02, -0.08, 0.0))):
+        i = np.argmin(np.linalg.norm(x - middle - shift, axis=1))
+        axes.plot(*x[listed[i] > 0, :2].T, "o", color=f"C{k}", ms=4)
+        axes.plot(*x[i, :2], "k.", ms=6)
+        for radius, style in ((simulation.model.support, "-"), (simulation.solver.neighbours.radius, ":")):
+            axes.add_patch(plt.Circle(x[i, :2], radius, fill=False, ls=style, color=f"C{k}"))
+    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
     drawing.savefig(picture, dpi=150)
     plt.close(drawing)
 

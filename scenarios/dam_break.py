@@ -158,8 +158,8 @@ class DamBreak(Scenario):
         return rows
 
 
-def published_front() -> list[tuple[float, float]]:
-    """Place of the front over L at t sqrt(2 g / L), as published by Koshizuka & Oka (1996)."""
+def published_front(dataset: str = "KoshizukaOka1996") -> list[tuple[float, float]]:
+    """Place of the front over L at t sqrt(2 g / L), as published, from ``data/dambreak_front.csv``."""
     text = (files("warpsph.scenarios") / "data" / "dambreak_front.csv").read_text()
     rows = csv.DictReader(text.splitlines())
-    return [(float(row["t"]), float(row["value"])) for row in rows if row["dataset"] == "KoshizukaOka1996"]
+    return [(float(row["t"]), float(row["value"])) for row in rows if row["dataset"] == dataset]

@@ -99,7 +99,7 @@ def compare(simulation: Simulation) -> dict[str, float]:
     """
     neighbours = simulation.solver.neighbours
     neighbours.renew_if_outdated()
-    listed = _as_matrix(neighbours.list)
+    listed = as_matrix(neighbours.list)
     oneself = np.eye(len(listed), dtype=bool)
     now = _distances(simulation.state.numpy("position"))
     then = _distances(neighbours.reference.numpy())
@@ -115,7 +115,7 @@ def compare(simulation: Simulation) -> dict[str, float]:
     }
 
 
-def _as_matrix(rows: NeighbourList) -> np.ndarray:
+def as_matrix(rows: NeighbourList) -> np.ndarray:
     """How often each particle (row) lists each other one (column)."""
     count = rows.count.numpy()
     i = np.repeat(np.arange(len(count)), count)
