@@ -7,7 +7,7 @@ import numpy as np
 from warpsph.boundary.settling import Settling
 from warpsph.check import Check
 from warpsph.device import Executor
-from warpsph.hydrostatics import GAMMA, column_pressure
+from warpsph.hydrostatics import column_density, column_pressure, depth_of_pressure
 from warpsph.labels import Role
 from warpsph.materials import inert
 from warpsph.model import Fluid, Model
@@ -54,21 +54,19 @@ class Hydrostatic(Scenario):
         return self.column_mass * lattice.lattice_density() / (self.density * self.rows)
 
     def exact_density(self, y: float | np.ndarray) -> np.ndarray:
-        """Density [kg/m^3] at the height y [m], from (1.5)."""
-        stiffness = self.sound_speed**2 * self.density / GAMMA
-        return self.density * (1.0 + self.exact_pressure(y) / stiffness) ** (1.0 / GAMMA)
+        """Density [kg/m^3] at the height y [m]."""
+        return column_density(self.height - np.asarray(y), self.density, GRAVITY, self.sound_speed)
 
     def exact_pressure(self, y: float | np.ndarray) -> np.ndarray:
         """Pressure [Pa] at the height y [m]."""
-        return column_pressure(self.height - np.asarray(y, float), self.density, GRAVITY, self.sound_speed)
+        return column_pressure(self.height - np.asarray(y), self.density, GRAVITY, self.sound_speed)
 
     def settled(self, y: np.ndarray) -> np.ndarray:
         """Height [m] at rest of what stands at the height y [m] of the lattice."""
-        below = self.column_mass * y / (self.rows * self.spacing)
-        load = GRAVITY * np.maximum(self.column_mass - below, 0.0)
-        ratio = (1.0 + GAMMA * load / (self.sound_speed**2 * self.density)) ** (1.0 / GAMMA)
-        depth = self.sound_speed**2 / ((GAMMA - 1.0) * GRAVITY) * (ratio ** (GAMMA - 1.0) - 1.0)
-        return self.height - depth + np.maximum(y - self.rows * self.spacing, 0.0)
+        top = self.rows * self.spacing
+        load = GRAVITY * self.column_mass * np.maximum(1.0 - y / top, 0.0)
+        depth = depth_of_pressure(load, self.density, GRAVITY, self.sound_speed)
+        return self.height - depth + np.maximum(y - top, 0.0)
 
     def build(self, executor: Executor) -> Simulation:
         dx = self.spacing

@@ -11,6 +11,9 @@ import warp as wp
 from warpsph.errors import InputError
 from warpsph.kernels.barrier import barrier
 
+# Threads take turns along the particles, because these are sorted by place and places differ in work.
+SLICES_PER_THREAD = 8
+
 
 class Recording:
     """A piece of work recorded once and replayed many times without the interpreter."""
@@ -58,9 +61,11 @@ class Executor:
         if self._slice is None:
             wp.launch(kernel, dim=dim, inputs=[0, *inputs], device=self.device)
             return
-        first, last = (dim * (self._slice + k) // self.threads for k in (0, 1))
-        if last > first:
-            wp.launch(kernel, dim=last - first, inputs=[first, *inputs], device=self.device)
+        slices = self.threads * SLICES_PER_THREAD
+        for index in range(self._slice, slices, self.threads):
+            first, last = (dim * (index + k) // slices for k in (0, 1))
+            if last > first:
+                wp.launch(kernel, dim=last - first, inputs=[first, *inputs], device=self.device)
         self._meet()
 
     def whole(self, kernel: wp.Kernel, dim: int, inputs: Sequence) -> None:
