@@ -14,7 +14,8 @@ SMALLEST_DETERMINANT = wp.constant(0.15)
 class Elastic:
     """Constants of the elastic solid.
 
-    ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control;
+    ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control, and
+    ``shortest_squared`` [m^2] the square of the length below which a bond gets no stiffer by it;
     ``corrected`` 1 where gradients are corrected by the moment matrix, 0 for the form as published; ``planar`` 1 in
     2D, where the moment matrix has no third row.
     """
@@ -23,6 +24,7 @@ class Elastic:
     lame_mu: float
     youngs_modulus: float
     hourglass: float
+    shortest_squared: float
     corrected: int
     planar: int
 
@@ -120,7 +122,7 @@ def _add_elastic_force(
                 # Ganzenmueller (2015), equations 17-20
                 x = x_i - position[j]
                 miss = wp.dot((F_i + deformation[j]) * X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
-                weight = v_j * bonds.value[place] / wp.dot(X, X)
+                weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
                 force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)
         acceleration[i] += force * (body_volume[i] / mass[i])
 

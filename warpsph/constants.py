@@ -7,6 +7,10 @@ from warpsph.kernels import conduction, density, elasticity, surface_tension
 from warpsph.kernels.smoothing import normalisation
 from warpsph.model import Model
 
+# In spacings. Where the pressure of the melt is zero particles may freeze almost on top of each other; a stiffness of
+# the hourglass control that grows as the inverse square of such a length would be unstable at any time step.
+SHORTEST_BOND = 0.65
+
 
 def fluid_constants(model: Model) -> density.Fluid:
     """Constants of the flow: smoothing kernels normalised so that their sums are exact on the lattice."""
@@ -39,6 +43,7 @@ def elastic_constants(model: Model) -> elasticity.Elastic:
     constants.lame_lambda, constants.lame_mu = model.elasticity.lame
     constants.youngs_modulus = model.elasticity.youngs_modulus
     constants.hourglass = model.elasticity.hourglass
+    constants.shortest_squared = (SHORTEST_BOND * model.spacing) ** 2
     constants.corrected = int(model.elasticity.corrected)
     constants.planar = int(model.dimension == 2)
     return constants

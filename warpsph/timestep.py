@@ -11,7 +11,7 @@ def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
 
     ``moving`` are the indices of the materials that flow. Vijaykumar (2012), equation (7.6) with h = H/2, because the
     formula comes from a kernel with support 2h; and the elastic wave, to which the sound of the melt adds, across
-    0.4 spacings, because bonds may be shorter than the spacing.
+    half a spacing, because bonds may be shorter than the spacing.
     """
     limits = {}
     if model.fluid is not None:
@@ -21,7 +21,7 @@ def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         limits["sound and viscosity (7.6)"] = 0.5 * h / (model.fluid.sound_speed + drag)
     if model.elasticity is not None and model.fluid is not None:
         wave = np.hypot(model.elasticity.wave_speed(model.fluid.reference_density), model.fluid.sound_speed)
-        limits["elastic wave"] = 0.4 * model.spacing / wave
+        limits["elastic wave"] = 0.5 * model.spacing / wave
     return limits
 
 

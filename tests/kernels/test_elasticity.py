@@ -24,9 +24,11 @@ def disc(dimension: int, radius: float = 0.055) -> np.ndarray:
 class Body:
     """A solid body whose particles are bonded as they stand; gives the elastic force in other positions."""
 
-    def __init__(self, device: str, dimension: int, corrected: bool = True, hourglass: float = 0.0):
+    def __init__(self, device: str, dimension: int, corrected: bool = True, hourglass: float = 0.0, guest=None):
         particles = Particles()
         particles.add(disc(dimension), Role.FREE)
+        if guest is not None:
+            particles.add(np.array([guest]), Role.FREE)
         model = Model(
             dimension,
             SPACING,
@@ -154,3 +156,15 @@ def test_bonds_are_mutual(device):
     bonds = {(i, int(j)) for i in range(len(count)) for j in partner[i, : count[i]]}
     assert bonds == {(j, i) for i, j in bonds}
     assert len(bonds) > 20 * len(count)
+
+
+def test_particles_that_froze_on_top_of_each_other_stay_calm(device):
+    """Without a bound on the stiffness of such a bond it tears the body apart at any time step."""
+    body = Body(device, 2, hourglass=0.1, guest=[0.3 + 0.003 * SPACING, -0.2 + 0.009 * SPACING, 0.0])
+    simulation, solver = body.simulation, body.solver
+    solver.dt = simulation.longest_step
+    velocity = np.random.default_rng(4).normal(0.0, 1e-3, body.rest.shape) * [1, 1, 0]
+    simulation.state.velocity.assign(velocity.astype(np.float32))
+    for _ in range(300):
+        solver.step()
+    assert np.max(np.abs(simulation.state.numpy("velocity"))) < 0.1
