@@ -29,6 +29,8 @@ OUTFLOW_ROWS = 4
 COOLING_WATER = 373.15
 SPRAY_TEMPERATURE = 298.15
 SPRAY_BOILED = 374.15
+SPRAY_DISTANCE = 0.04  # from the nozzles to the strand [m]
+LONGEST_RIDE = 10.0  # time on the strand for which water is in reserve [s]
 
 
 class Casting(Scenario):
@@ -181,7 +183,8 @@ class Casting(Scenario):
         self._add_strand(particles, top)
         self._add_walls(particles, plane)
         spray = self._add_spray(particles)
-        observer = CastingObserver(self, gauge, spray)
+        inlet = Inlet(gauge, row, top, self.nozzle_mouth, self.pouring_temperature, STEEL)
+        observer = CastingObserver(self, gauge, inlet, spray)
         simulation = Simulation(
             executor,
             model,
@@ -191,7 +194,7 @@ class Casting(Scenario):
                 OscillatingMould(self.mould_stroke, self.mould_frequency),
                 plane,
                 Outflow(gauge, 0.0, -OUTFLOW_ROWS * self.spacing, self.half_width + 2.0 * self.spacing),
-                Inlet(gauge, row, top, self.nozzle_mouth, self.pouring_temperature, STEEL),
+                inlet,
                 spray,
             ],
             lower=(-4 * self.spacing, -8 * self.spacing, 0.0),
@@ -262,9 +265,9 @@ class Casting(Scenario):
             )
             for k, (high, low) in enumerate(pairwise(edges))
         ]
-        nozzle = self.half_width + 0.04
-        in_flight = 0.04 / self.spray_speed + 10.0
-        reserve = int(flow / self.spray_particle * in_flight) + 10
+        nozzle = self.half_width + SPRAY_DISTANCE
+        under_way = SPRAY_DISTANCE / self.spray_speed + LONGEST_RIDE
+        reserve = int(flow / self.spray_particle * under_way) + 10
         parked = np.tile([[nozzle, 0.0, 0.0]], (reserve, 1))
         volume = self.spray_particle / WATER.density
         particles.add(parked, Role.RESERVOIR, SPRAY_WATER, SPRAY_TEMPERATURE, flows=False, volume=volume)

@@ -17,7 +17,7 @@ def casting_checks(case: "Casting", result: "Result") -> list[Check]:
     d = result.diagnostics
     mass_error = d["particles_inside"] - d["particles_inside"][0] - d["particles_in"] + d["particles_out"]
     last_third = d["time"] >= 2.0 / 3.0 * d["time"][-1]
-    level = d["level"][last_third]
+    level, meniscus = d["level"][last_third], d["meniscus"][last_third]
     ids = np.sort(result.fields["id"])
     return [
         Check(
@@ -37,9 +37,19 @@ def casting_checks(case: "Casting", result: "Result") -> list[Check]:
             "all sprays on: no hole", reason="the shell holds",
         ),
         Check(
-            case.name, "meniscus, largest departure from the level asked for, last third", "m",
+            case.name, "level by weight, farthest from the level asked for, last third", "m",
             float(level[np.argmax(np.abs(level - case.level))]), case.level, 0.03,
+            "Vijaykumar (2012), section 6.3: the level remains constant", reason="the gauge answers within 0.1 s",
+        ),
+        Check(
+            case.name, "meniscus, farthest from its mean, last third", "m",
+            float(meniscus[np.argmax(np.abs(meniscus - meniscus.mean()))]), float(meniscus.mean()), 0.03,
             "Vijaykumar (2012), section 6.3: the level remains constant", reason="waves of one spacing or two",
+        ),
+        Check(
+            case.name, "particles that the reservoirs could not give", "",
+            float(d["missing_melt"][-1] + d["missing_water"][-1]), None, 0.0,
+            "the machine runs on what has left it", reason="every particle is counted",
         ),
         _shell_check(case, result),
     ]  # fmt: skip

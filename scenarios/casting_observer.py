@@ -8,7 +8,7 @@ from warpsph.diagnostics import Snapshot, enthalpy_by_material
 from warpsph.labels import Phase, Role
 
 if TYPE_CHECKING:
-    from warpsph.boundary import LevelGauge, Spray
+    from warpsph.boundary import Inlet, LevelGauge, Spray
     from warpsph.scenarios.casting import Casting
     from warpsph.simulation import Simulation
 
@@ -22,30 +22,58 @@ class CastingObserver:
     Args:
         case: the scenario.
         gauge: level and casting speed.
+        inlet: the melt.
         spray: the water.
     """
 
-    def __init__(self, case: "Casting", gauge: "LevelGauge", spray: "Spray"):
-        self.case, self.gauge, self.spray = case, gauge, spray
+    def __init__(self, case: "Casting", gauge: "LevelGauge", inlet: "Inlet", spray: "Spray"):
+        self.case, self.gauge, self.inlet, self.spray = case, gauge, inlet, spray
+        self.noted: set[str] = set()
         self.edges = np.linspace(0.0, case.level, BINS + 1)
         self.heights = 0.5 * (self.edges[1:] + self.edges[:-1])
 
     def begin(self, simulation: "Simulation") -> None:
         """Remember the initial contents."""
+        self.simulation = simulation
         self.materials = len(simulation.model.materials)
         self.start = enthalpy_by_material(simulation.snapshot(), self.materials)
 
     def __call__(self, state: Snapshot, time: float) -> Values:
-        return self._flow() | self._mass(state) | self._heat(state) | self._shell(state) | {"height": self.heights}
+        self._note_events(time)
+        return self._flow(state) | self._mass(state) | self._heat(state) | self._shell(state) | {"height": self.heights}
 
     def describe(self, values: Values) -> str:
         """One line for the progress bar."""
         exit_bin = int(np.argmin(np.abs(self.heights - self.case.mould_bottom)))
         return f"level {values['level']:.3f} m, shell at mould exit {1e3 * values['shell_thickness'][exit_bin]:.1f} mm"
 
-    def _flow(self) -> Values:
+    def _note_events(self, time: float) -> None:
+        failure = self.case.spray_failure
+        if failure is not None and time >= failure:
+            zones = ", ".join(str(zone) for zone in self.case.spray_failing)
+            self._note_once(failure, f"sprays fail in zone {zones}")
+        for device, substance in ((self.inlet, "melt"), (self.spray, "water")):
+            if device.missing.numpy()[0] > 0:
+                self._note_once(time, f"the reservoir has run out of {substance}")
+
+    def _note_once(self, time: float, text: str) -> None:
+        if text not in self.noted:
+            self.noted.add(text)
+            self.simulation.note_event(time, text)
+
+    def _flow(self, state: Snapshot) -> Values:
         level, casting_speed, pouring_speed = (float(v) for v in self.gauge.speeds.numpy())
-        return {"level": level, "casting_speed": casting_speed, "pouring_speed": pouring_speed}
+        x, y = state["position"][:, 0], state["position"][:, 1]
+        column = (state["material"] == 0) & (state["role"] == Role.FREE)
+        column &= (x > self.gauge.low[0]) & (x < self.gauge.high[0])
+        return {
+            "level": level,
+            "meniscus": float(np.percentile(y[column], 99.5)) if np.any(column) else np.nan,
+            "casting_speed": casting_speed,
+            "pouring_speed": pouring_speed,
+            "missing_melt": float(self.inlet.missing.numpy()[0]),
+            "missing_water": float(self.spray.missing.numpy()[0]),
+        }
 
     def _mass(self, state: Snapshot) -> Values:
         steel = state["material"] == 0

@@ -14,14 +14,14 @@ WRITTEN_EVERY_STEP = {"acceleration", "deformation", "stress", "heat_rate"}
 class State:
     """Particles on the device, as a structure of arrays.
 
-    Always: ``id`` (stable for the whole run), ``role``, ``material``, ``phase``, ``position`` [m] with ``position_carry``,
-    ``velocity`` [m/s], ``mass`` [kg] (per metre of depth in 2D). With a fluid: ``acceleration`` [m/s^2], ``density``
-    [kg/m^3], ``pressure`` [Pa], ``volume`` [m^3 or m^2], ``viscosity`` [Pa s], and ``fluid_mass`` [kg], the mass with
-    which a particle enters the sums of the fluid (walls count like the fluid, spray does not count). With conduction:
-    ``enthalpy`` [J/kg] with ``enthalpy_carry``, ``temperature`` [K], ``solid_fraction``, ``conductivity`` [W/(m K)],
-    ``thermal_volume``, ``heat_rate`` [W], ``held``, ``heat_held`` [J]. With phase change: ``froze``. With
-    elasticity: ``bonds``, ``body_volume``, ``correction``, ``deformation``, ``stress``. Devices may add arrays by
-    :meth:`add`; arrays move with their particles when these are sorted.
+    Always: ``id`` (stable for the whole run), ``role``, ``material``, ``phase``, ``position`` [m] with
+    ``position_carry``, ``velocity`` [m/s], ``mass`` [kg] (per metre of depth in 2D). With a fluid: ``acceleration``
+    [m/s^2], ``density`` [kg/m^3], ``pressure`` [Pa], ``volume`` [m^3 or m^2], ``viscosity`` [Pa s], and ``fluid_mass``
+    [kg], the mass with which a particle enters the sums of the fluid (walls count like the fluid, spray does not
+    count). With conduction: ``enthalpy`` [J/kg] with ``enthalpy_carry``, ``temperature`` [K], ``solid_fraction``,
+    ``conductivity`` [W/(m K)], ``thermal_volume``, ``heat_rate`` [W], ``held``, ``heat_held`` [J]. With phase change:
+    ``froze``. With elasticity: ``bonds``, ``body_volume``, ``correction``, ``deformation``, ``stress``. Devices may add
+    arrays by :meth:`add`; arrays move with their particles when these are sorted.
     """
 
     def __init__(self, particles: Particles, model: Model, device: wp.Device):

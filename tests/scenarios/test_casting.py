@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from warpsph.device import Executor
 from warpsph.errors import InputError
 from warpsph.labels import Phase, Role
 from warpsph.scenarios.casting import Casting
@@ -70,3 +71,15 @@ def test_machines_that_cannot_work_are_refused(key, value):
     """A nozzle in the air or a roll in the mould would only show as nonsense after hours."""
     with pytest.raises(InputError, match=key):
         Casting(**{key: value})
+
+
+def test_failing_sprays_are_an_event_and_stop():
+    """A breakout without the failure that caused it in the file could not be explained."""
+    case = Casting(**COARSE | {"spray_failure": 0.2, "spray_failing": (1, 3)})
+    simulation = case.build(Executor("cpu"))
+    result = simulation.run(0.45, 0.15)
+    assert result.events == [(0.2, "sprays fail in zone 1, 3")]
+    spray = simulation.solver.devices[-1]
+    first, second, third = spray.sprayed.numpy()
+    assert first == third < second
+    assert result.diagnostics["missing_water"][-1] == result.diagnostics["missing_melt"][-1] == 0
