@@ -10,14 +10,15 @@ import h5py
 import numpy as np
 
 from warpsph.errors import InputError, WarpsphError
-from warpsph.vtkhdf import STEPS_PER_CHUNK, append_step, create_layout, extendable, put
+from warpsph.vtkhdf import STEPS_PER_CHUNK, append_step, commit, create_layout, extendable, put
 
 
 class ResultWriter:
     """Writes one result file; after every frame and when it is killed the file is readable.
 
     Groups: ``/VTKHDF`` (the frames), ``/warpsph/parameters`` and ``/warpsph/provenance`` (JSON texts),
-    ``/warpsph/diagnostics/<name>`` (float64, one row a time) and ``/warpsph/events/{time,text}``.
+    ``/warpsph/diagnostics/<name>`` (float64, one row a time) and ``/warpsph/events/{time,text}``, of which the
+    attribute ``Rows`` counts what is whole.
 
     Args:
         path: the file to make.
@@ -43,6 +44,8 @@ class ResultWriter:
                 extendable(group, "diagnostics/time", (), "f8", STEPS_PER_CHUNK)
                 extendable(group, "events/time", (), "f8", STEPS_PER_CHUNK)
                 extendable(group, "events/text", (), h5py.string_dtype(), STEPS_PER_CHUNK)
+                for series in (group["diagnostics"], group["events"]):
+                    series.attrs["Rows"] = np.int64(0)
             os.replace(unfinished, self.path)
             # without a lock, so that a run can be looked at while it goes on
             self._file = h5py.File(self.path, "r+", locking=False)
@@ -70,8 +73,8 @@ class ResultWriter:
         """
         with self._writing():
             group = self._file["warpsph/diagnostics"]
-            row = len(group["time"])
-            if row == 0:
+            row = int(group.attrs["Rows"])
+            if len(group) == 1:
                 for name in values:
                     extendable(group, name, np.shape(values[name]), "f8", STEPS_PER_CHUNK)
             if set(group) != {"time", *values}:
@@ -79,20 +82,23 @@ class ResultWriter:
             for name, value in values.items():
                 put(group[name], row, [value])
             put(group["time"], row, [time])
+            commit(group, "Rows", row + 1)
 
     def write_event(self, time: float, text: str) -> None:
         """Append something that happened, for example a breakout, at ``time`` [s]."""
         with self._writing():
             events = self._file["warpsph/events"]
-            row = len(events["time"])
+            row = int(events.attrs["Rows"])
             put(events["text"], row, [text])
             put(events["time"], row, [time])
+            commit(events, "Rows", row + 1)
 
     def finish(self, **provenance) -> None:
         """Add what is known only at the end, for example ``wall_time``, ``steps`` and ``status``."""
         self._provenance |= provenance
         with self._writing():
             self._file["warpsph/provenance"][()] = _as_json(self._provenance)
+            self._file.flush()
 
     def close(self) -> None:
         """Close the file; nothing can be written afterwards."""
@@ -106,10 +112,9 @@ class ResultWriter:
 
     @contextmanager
     def _writing(self) -> Iterator[None]:
-        """Flush at the end; a full disk becomes one line."""
+        """A full disk becomes one line."""
         try:
             yield
-            self._file.flush()
         except OSError as error:
             raise WarpsphError(f"{self.path}: writing failed, the frames before this are safe: {error}") from None
 

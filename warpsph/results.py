@@ -34,8 +34,7 @@ class ResultFile:
             self.parameters: dict = _read_json(file["warpsph/parameters"])
             self.provenance: dict = _read_json(file["warpsph/provenance"])
             self.diagnostics: dict[str, np.ndarray] = _read_diagnostics(file["warpsph/diagnostics"])
-            events = file["warpsph/events"]
-            self.events = list(zip(events["time"][:].tolist(), events["text"].asstr()[:].tolist(), strict=False))
+            self.events = _read_events(file["warpsph/events"])
 
     def frame(self, k: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         """Positions (n, 3) float32 [m] and fields by name, (n,) or (n, 3), of frame ``k``; -1 is the last."""
@@ -77,6 +76,11 @@ def _read_json(dataset: h5py.Dataset) -> dict:
 
 
 def _read_diagnostics(group: h5py.Group) -> dict[str, np.ndarray]:
-    """All series, cut to the rows that every one of them has."""
-    rows = min(len(group["time"]), *(len(series) for series in group.values()))
-    return {name: series[:rows].astype("f8") for name, series in group.items()}
+    """All series, as far as they were written whole."""
+    rows = int(group.attrs["Rows"])
+    return {name: group[name][:rows].astype("f8") for name in {"time", *group}}
+
+
+def _read_events(group: h5py.Group) -> list[tuple[float, str]]:
+    rows = int(group.attrs["Rows"])
+    return list(zip(group["time"][:rows].tolist(), group["text"].asstr()[:rows].tolist(), strict=True))

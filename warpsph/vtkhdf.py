@@ -60,7 +60,7 @@ def create_layout(file: h5py.File) -> None:
 
 
 def append_step(file: h5py.File, time: float, points: np.ndarray, fields: dict[str, np.ndarray]) -> None:
-    """Add one step: first the data, then the counts, last ``NSteps``, so that a killed writer leaves whole steps.
+    """Add one step: first the data and the counts, and only when they are on the disk :func:`commit` ``NSteps``.
 
     Args:
         points: (n, 3) float32 [m].
@@ -94,7 +94,18 @@ def append_step(file: h5py.File, time: float, points: np.ndarray, fields: dict[s
     put(steps["CellOffsets"], step, [[first_cell, 0, 0, 0]])
     put(steps["ConnectivityIdOffsets"], step, [[first, 0, 0, 0]])
     put(steps["Values"], step, [time])
-    steps.attrs.modify("NSteps", np.int64(step + 1))
+    commit(steps, "NSteps", step + 1)
+
+
+def commit(group: h5py.Group, counter: str, count: int) -> None:
+    """Let ``counter`` say that ``count`` rows are whole, once they are.
+
+    A flush writes its parts in any order, the end of the file among them. Whoever is killed in the first one leaves an
+    older count, and what that counts was there before.
+    """
+    group.file.flush()
+    group.attrs.modify(counter, np.int64(count))
+    group.file.flush()
 
 
 def read_times(file: h5py.File) -> np.ndarray:
