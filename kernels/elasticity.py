@@ -127,14 +127,18 @@ def _add_elastic_force(
         acceleration[i] += force * (body_volume[i] / mass[i])
 
 
-def settle_bodies(launch, elastic, bonds, froze, mass, density, body_volume, correction) -> None:
-    """Fix the body volume of particles that just froze and renew every moment matrix after bonds have changed.
-
-    ``body_volume`` (n,) [m^3, or m^2 in 2D] is the volume at freezing (Vijaykumar 2012, section 4.2); ``correction``
-    (n,) is the inverse of the moment matrix of each particle's bonds, the identity where that is nearly singular.
-    """
+def settle_volume(launch, froze, mass, density, body_volume) -> None:
+    """Fix the body volume (n,) [m^3, or m^2 in 2D] of particles that just ``froze`` (Vijaykumar 2012, section 4.2)."""
     launch(_settle_volume, mass.shape[0], [froze, mass, density, body_volume])
-    launch(_invert_moments, mass.shape[0], [elastic, bonds, body_volume, correction])
+
+
+def invert_moments(launch, elastic, bonds, body_volume, correction) -> None:
+    """Renew every moment matrix after bonds have changed.
+
+    ``correction`` (n,) is the inverse of the moment matrix of each particle's bonds, the identity where that is nearly
+    singular.
+    """
+    launch(_invert_moments, body_volume.shape[0], [elastic, bonds, body_volume, correction])
 
 
 def find_stress(launch, elastic, bonds, position, body_volume, correction, deformation, stress) -> None:

@@ -9,6 +9,12 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 
 @wp.kernel
+def _fall(first: int, gravity: wp.vec3, acceleration: wp.array[wp.vec3]):
+    i = wp.tid() + first
+    acceleration[i] = gravity
+
+
+@wp.kernel
 def _kick(first: int, dt: float, role: wp.array[int], acceleration: wp.array[wp.vec3], velocity: wp.array[wp.vec3]):
     i = wp.tid() + first
     if role[i] == Role.FREE:
@@ -51,6 +57,11 @@ def _watch(
         u = velocity[i]
         if not (wp.dot(u, u) < speed_limit_squared):
             runaway[0] = i + 1
+
+
+def fall(launch, gravity, acceleration) -> None:
+    """Begin the acceleration (n,) [m/s^2] of a step with gravity alone."""
+    launch(_fall, acceleration.shape[0], [gravity, acceleration])
 
 
 def kick(launch, dt, role, acceleration, velocity) -> None:

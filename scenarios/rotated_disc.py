@@ -7,9 +7,9 @@ import numpy as np
 
 from warpsph.check import Check
 from warpsph.device import Executor
-from warpsph.labels import Role
-from warpsph.materials import thesis_steel
-from warpsph.model import Conduction, Elasticity, Fluid, Model, PhaseChange
+from warpsph.labels import Phase, Role
+from warpsph.materials import inert
+from warpsph.model import Elasticity, Model
 from warpsph.particles import Particles, lattice
 from warpsph.scenario import Scenario, parameter
 from warpsph.simulation import Result, Simulation
@@ -18,7 +18,7 @@ DENSITY = 2100.0  # [kg/m^3]
 
 
 class RotatedDisc(Scenario):
-    """A disc freezes at rest; then, at once, it is turned, and stretched more and more towards one side."""
+    """A disc is bonded at rest; then, at once, it is turned, and stretched more and more towards one side."""
 
     name = "rotated_disc"
     summary = "a solid disc that has been turned feels no force"
@@ -39,11 +39,8 @@ class RotatedDisc(Scenario):
         model = Model(
             dimension=2,
             spacing=self.spacing,
-            materials=(thesis_steel(density=DENSITY, viscosity=0.0),),
+            materials=(inert("shell", DENSITY),),
             gravity=(0.0, 0.0, 0.0),
-            fluid=Fluid(reference_density=DENSITY, sound_speed=10.0),
-            conduction=Conduction(),
-            phase_change=PhaseChange(),
             elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio, corrected=self.corrected),
         )
         square = lattice((-self.radius,) * 2, (self.radius,) * 2, self.spacing)
@@ -51,14 +48,14 @@ class RotatedDisc(Scenario):
         particles.add(
             square[np.linalg.norm(square, axis=1) < self.radius],
             Role.FREE,
-            temperature=1000.0,
             velocity=(self.drift, 0.5 * self.drift, 0.0),
+            phase=Phase.SOLID,
         )
         margin = 2.0 * self.radius + 2.0 * abs(self.drift) * self.duration
         simulation = Simulation(
             executor, model, particles, lower=(-margin,) * 3, upper=(margin,) * 3, observe=self._observe
         )
-        simulation.solver.prepare()  # freezes the disc: its bonds keep these positions
+        simulation.solver.prepare()  # the bonds keep these positions
         self._deform(simulation)
         return simulation
 

@@ -6,10 +6,17 @@ import numpy as np
 import warp as wp
 
 from warpsph.boundary.device import BoundaryDevice
-from warpsph.constants import elastic_constants, fluid_constants, surface_constants, thermal_table
+from warpsph.constants import (
+    colour_field_constants,
+    elastic_constants,
+    fluid_constants,
+    surface_constants,
+    thermal_table,
+)
 from warpsph.device import Executor
 from warpsph.kernels import (
     bonds,
+    colour_field_tension,
     conduction,
     density,
     elasticity,
@@ -21,6 +28,7 @@ from warpsph.kernels import (
     wall_pressure,
 )
 from warpsph.kernels.smoothing import normalisation
+from warpsph.labels import Phase
 from warpsph.model import Model
 from warpsph.neighbours import Neighbours
 from warpsph.state import State
@@ -61,7 +69,8 @@ class Solver:
         self.time = wp.zeros(1, dtype=wp.float64, device=executor.device)
         self.steps = wp.zeros(1, dtype=int, device=executor.device)
         self.runaway = wp.zeros(1, dtype=int, device=executor.device)
-        self.phase_changed = wp.zeros(1, dtype=int, device=executor.device)
+        starts_solid = bool(model.elasticity) and np.any(state.numpy("phase") == Phase.SOLID)
+        self.phase_changed = wp.array([int(starts_solid)], dtype=int, device=executor.device)
         self.bond_events = wp.zeros(1, dtype=int, device=executor.device)
         self.longest_bond_row = wp.zeros(1, dtype=int, device=executor.device)
         self.neighbours = Neighbours(
@@ -76,7 +85,9 @@ class Solver:
             model.spacing,
         )
         self.fluid = fluid_constants(model) if model.fluid else None
-        self.surface = surface_constants(model) if model.surface_tension else None
+        if model.surface_tension:
+            published = model.surface_tension.published
+            self.surface = colour_field_constants(model) if published else surface_constants(model)
         self.elastic = elastic_constants(model) if model.elasticity else None
         if model.conduction:
             self.thermal_table = thermal_table(model, executor.device)
@@ -85,15 +96,19 @@ class Solver:
             device.bind(self)
 
     def prepare(self) -> None:
-        """Bring what follows from the initial state up to date: neighbours, temperature, phase, bonds, density."""
+        """Bring what follows from the initial state up to date: neighbours, temperature, density, bonds, stress."""
         if self.model.conduction:
             self._find_temperature()
         self.neighbours.renew_if_outdated()
         if self.model.fluid:
             self._find_density()
             self._extrapolate_pressure()
+        if self.model.elasticity:
+            self.executor.when(self.phase_changed, self._bond_solids)
         if self.model.phase_change:
             self._change_phase()
+        if self.model.elasticity:
+            self._find_stress()
 
     def step(self) -> None:
         """Advance the flow by one time step."""
@@ -107,8 +122,12 @@ class Solver:
             self._extrapolate_pressure()
         with section():
             motion.advance_clock(self.executor, self.dt, self.time, self.steps)
+            if self.model.surface_tension and not self.model.surface_tension.published:
+                self._find_surface_normal()
             if self.model.fluid:
                 self._find_forces()
+            elif self.model.elasticity:
+                motion.fall(self.executor, wp.vec3(*self.model.gravity), self.state.acceleration)
             if self.model.elasticity:
                 self._find_stress()
         with section():
@@ -116,7 +135,7 @@ class Solver:
                 self._add_surface_tension()
             if self.model.elasticity:
                 self._add_elastic_forces()
-            if self.model.fluid:
+            if self.model.fluid or self.model.elasticity:
                 self._kick()
         with section():
             self._drift()
@@ -172,19 +191,26 @@ class Solver:
             s.acceleration,
         )
 
-    def _add_surface_tension(self) -> None:
+    def _find_surface_normal(self) -> None:
         s = self.state
-        surface_tension.add_surface_tension(
+        surface_tension.find_surface_normal(
             self.executor,
             self.surface,
             self.neighbours.list,
             s.position,
-            s.density,
-            s.volume,
+            s.fluid_mass,
             s.role,
             s.phase,
-            s.acceleration,
+            s.surface_normal,
         )
+
+    def _add_surface_tension(self) -> None:
+        s = self.state
+        if self.model.surface_tension.published:
+            add, given = colour_field_tension.add_colour_field_tension, (s.density, s.volume, s.role, s.phase)
+        else:
+            add, given = surface_tension.add_surface_tension, (s.fluid_mass, s.role, s.phase, s.surface_normal)
+        add(self.executor, self.surface, self.neighbours.list, s.position, *given, s.acceleration)
 
     def _find_stress(self) -> None:
         s = self.state
@@ -270,6 +296,12 @@ class Solver:
             self.executor.when(self.phase_changed, self._renew_bonds)
 
     def _renew_bonds(self) -> None:
+        s = self.state
+        if self.model.fluid:
+            elasticity.settle_volume(self.executor, s.froze, s.mass, s.density, s.body_volume)
+        self._bond_solids()
+
+    def _bond_solids(self) -> None:
         s, n = self.state, self.neighbours
         bonds.update_bonds(
             self.executor,
@@ -282,8 +314,6 @@ class Solver:
             s.bonds,
             self.longest_bond_row,
         )
-        elasticity.settle_bodies(
-            self.executor, self.elastic, s.bonds, s.froze, s.mass, s.density, s.body_volume, s.correction
-        )
+        elasticity.invert_moments(self.executor, self.elastic, s.bonds, s.body_volume, s.correction)
         bonds.mark_bonded_neighbours(self.executor, n.list, s.bonds)
         neighbours.clear_flag(self.executor, self.phase_changed, self.bond_events)

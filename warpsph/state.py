@@ -8,20 +8,21 @@ from warpsph.labels import Phase, Role
 from warpsph.model import Model
 from warpsph.particles import Particles
 
-WRITTEN_EVERY_STEP = {"acceleration", "deformation", "stress", "heat_rate"}
+WRITTEN_EVERY_STEP = {"acceleration", "surface_normal", "deformation", "stress", "heat_rate"}
 
 
 class State:
     """Particles on the device, as a structure of arrays.
 
     Always: ``id`` (stable for the whole run), ``role``, ``material``, ``phase``, ``position`` [m] with
-    ``position_carry``, ``velocity`` [m/s], ``mass`` [kg] (per metre of depth in 2D). With a fluid: ``acceleration``
-    [m/s^2], ``density`` [kg/m^3], ``pressure`` [Pa], ``volume`` [m^3 or m^2], ``viscosity`` [Pa s], and ``fluid_mass``
-    [kg], the mass with which a particle enters the sums of the fluid (walls count like the fluid, spray does not
-    count). With conduction: ``enthalpy`` [J/kg] with ``enthalpy_carry``, ``temperature`` [K], ``solid_fraction``,
-    ``conductivity`` [W/(m K)], ``thermal_volume``, ``heat_rate`` [W], ``held``, ``heat_held`` [J]. With phase change:
-    ``froze``. With elasticity: ``bonds``, ``body_volume``, ``correction``, ``deformation``, ``stress``. Devices may add
-    arrays by :meth:`add`; arrays move with their particles when these are sorted.
+    ``position_carry``, ``velocity`` [m/s], ``mass`` [kg] (per metre of depth in 2D). With a fluid or elasticity:
+    ``acceleration`` [m/s^2]. With a fluid: ``density`` [kg/m^3], ``pressure`` [Pa], ``volume`` [m^3 or m^2],
+    ``viscosity`` [Pa s], and ``fluid_mass`` [kg], the mass with which a particle enters the sums of the fluid (walls
+    count like the fluid, spray does not count). With conduction: ``enthalpy`` [J/kg] with ``enthalpy_carry``,
+    ``temperature`` [K], ``solid_fraction``, ``conductivity`` [W/(m K)], ``thermal_volume``, ``heat_rate`` [W],
+    ``held``, ``heat_held`` [J]. With phase change or elasticity: ``froze``. With surface tension: ``surface_normal``.
+    With elasticity: ``bonds``, ``body_volume`` [m^3 or m^2], ``correction``, ``deformation``, ``stress``. Devices may
+    add arrays by :meth:`add`; arrays move with their particles when these are sorted.
     """
 
     def __init__(self, particles: Particles, model: Model, device: wp.Device):
@@ -40,7 +41,7 @@ class State:
         self.add("velocity", particles.velocity, wp.vec3)
         volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
         mass = densities[material] * volume
-        self.add("phase", np.full(n, int(Phase.LIQUID)), int)
+        self.add("phase", particles.phase, int)
         if model.fluid is not None:
             lattice_mass = model.fluid.reference_density * model.cell_volume / model.lattice_density()
             fluid_mass = np.where(particles.flows, lattice_mass, 0.0)
@@ -51,6 +52,7 @@ class State:
             self.add("pressure", np.zeros(n), float)
             self.add("volume", fluid_mass / model.fluid.reference_density, float)
             self.add("viscosity", np.array([m.viscosity for m in model.materials])[material], float)
+        if model.fluid is not None or model.elasticity is not None:
             self.add("acceleration", np.zeros((n, 3)), wp.vec3)
         self.add("mass", mass, float)
         if model.conduction is not None:
@@ -67,11 +69,13 @@ class State:
             self.add("heat_rate", np.zeros(n), float)
             self.add("held", particles.held, int)
             self.add("heat_held", np.zeros(n), wp.float64)
-        if model.phase_change is not None:
-            self.add("froze", np.zeros(n), int)
+        if model.phase_change is not None or model.elasticity is not None:
+            self.add("froze", particles.phase == Phase.SOLID, int)
+        if model.surface_tension is not None:
+            self.add("surface_normal", np.zeros((n, 3)), wp.vec3)
         if model.elasticity is not None:
             self.bonds = _empty_bonds(n, model, device)
-            self.add("body_volume", np.zeros(n), float)
+            self.add("body_volume", mass / densities[material], float)
             for name in ("correction", "deformation", "stress"):
                 self.add(name, np.zeros((n, 3, 3)), wp.mat33)
 

@@ -7,9 +7,9 @@ from warpsph.model import Model
 
 
 def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
-    """Largest stable steps [s] of the flow by reason.
+    """Largest stable steps [s] of the flow and of elastic solids by reason.
 
-    ``moving`` are the indices of the materials that flow. Vijaykumar (2012), equation (7.6) with h = H/2, because the
+    ``moving`` are the indices of the materials that move. Vijaykumar (2012), equation (7.6) with h = H/2, because the
     formula comes from a kernel with support 2h; and the elastic wave, to which the sound of the melt adds, across
     half a spacing, because bonds may be shorter than the spacing.
     """
@@ -19,8 +19,11 @@ def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
         drag = 2.0 * 4.9633 * viscosity / (h * model.fluid.reference_density)
         limits["sound and viscosity (7.6)"] = 0.5 * h / (model.fluid.sound_speed + drag)
-    if model.elasticity is not None and model.fluid is not None:
-        wave = np.hypot(model.elasticity.wave_speed(model.fluid.reference_density), model.fluid.sound_speed)
+    if model.elasticity is not None:
+        if model.fluid is not None:
+            wave = np.hypot(model.elasticity.wave_speed(model.fluid.reference_density), model.fluid.sound_speed)
+        else:
+            wave = max(model.elasticity.wave_speed(model.materials[m].density) for m in moving)
         limits["elastic wave"] = 0.5 * model.spacing / wave
     return limits
 
