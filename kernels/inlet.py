@@ -1,4 +1,4 @@
-"""The submerged nozzle: rows of melt that enter at its top and are free below its mouth."""
+"""The submerged nozzle: rows of melt that enter at its start and are free beyond its mouth."""
 
 import warp as wp
 
@@ -10,9 +10,10 @@ wp.set_module_options({"enable_backward": False})
 
 @wp.struct
 class Nozzle:
-    """``top``, ``mouth`` heights [m]; ``spacing`` of the rows [m]; the melt's ``enthalpy`` [J/kg] and ``material``."""
+    """``direction`` of the flow and ``mouth``, x . direction at its end [m]; ``spacing`` of the rows [m]; the melt's
+    ``enthalpy`` [J/kg] and ``material``."""
 
-    top: float
+    direction: wp.vec3
     mouth: float
     spacing: float
     enthalpy: float
@@ -39,26 +40,26 @@ def _pour(
         for k in range(row.shape[0]):
             place = next_parked(exchange, place, end)
             if place < end:
-                x = row[k] + wp.vec3(0.0, nozzle.top - travel[0], 0.0)
-                bring_in(exchange, place, int(Role.INFLOW), x, wp.vec3(0.0, -speeds[2], 0.0), nozzle.enthalpy)
+                x = row[k] + nozzle.direction * travel[0]
+                bring_in(exchange, place, int(Role.INFLOW), x, nozzle.direction * speeds[2], nozzle.enthalpy)
             else:
                 missing[0] += 1
 
 
 @wp.kernel
-def _lead(first: int, mouth: float, speeds: wp.array[float], exchange: Exchange):
+def _lead(first: int, nozzle: Nozzle, speeds: wp.array[float], exchange: Exchange):
     i = wp.tid() + first
     if exchange.role[i] == Role.INFLOW:
-        exchange.velocity[i] = wp.vec3(0.0, -speeds[2], 0.0)
-        if exchange.position[i][1] < mouth:
+        exchange.velocity[i] = nozzle.direction * speeds[2]
+        if wp.dot(exchange.position[i], nozzle.direction) > nozzle.mouth:
             exchange.role[i] = Role.FREE
 
 
 def pour(launch, interval, nozzle, row, speeds, reservoir_start, travel, missing, exchange) -> None:
-    """Let the melt in the nozzle sink with the pouring speed ``speeds[2]`` and bring in the rows that follow.
+    """Move the melt in the nozzle with the pouring speed ``speeds[2]`` and bring in the rows that follow.
 
-    ``row`` (k,) are the places of a row [m]; ``travel`` (1,) [m] is how far the last row is below the top; ``missing``
-    (1,) counts particles that the reservoir could not give.
+    ``row`` (k,) are the places of a row at the nozzle's start [m]; ``travel`` (1,) [m] is how far the last row has come
+    from there; ``missing`` (1,) counts particles that the reservoir could not give.
     """
-    launch(_lead, exchange.role.shape[0], [nozzle.mouth, speeds, exchange])
+    launch(_lead, exchange.role.shape[0], [nozzle, speeds, exchange])
     launch.whole(_pour, 1, [interval, nozzle, row, speeds, reservoir_start, travel, missing, exchange])

@@ -32,7 +32,7 @@ def _pass_on(first: int, begin: float, end: float, width: float, exchange: Excha
         x = exchange.position[i]
         if x[1] < end:
             take_out(exchange, i)
-        elif role == Role.FREE and x[1] < begin and x[0] < width:
+        elif role == Role.FREE and x[1] < begin and wp.max(x[0], x[2]) < width:
             exchange.role[i] = Role.OUTFLOW
 
 
@@ -42,5 +42,5 @@ def hold_zone(launch, pressure_per_height, speeds, role, position, velocity, pre
 
 
 def pass_on(launch, begin, end, width, exchange) -> None:
-    """Take particles into the zone below ``begin`` [m] (left of ``width`` [m]), and out of the run below ``end``."""
+    """Take particles into the zone below ``begin`` [m] (x, z below ``width`` [m]), and out of the run below ``end``."""
     launch(_pass_on, exchange.role.shape[0], [begin, end, width, exchange])

@@ -8,7 +8,9 @@ from warpsph.kernels.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
+# Evenly spread for any number of particles, alone and as a pair (powers of the golden and of the plastic ratio)
 GOLDEN_RATIO = wp.constant(wp.float64(0.6180339887498949))
+PLASTIC_RATIO = wp.constant(wp.float64(0.7548776662466927))
 
 
 @wp.struct
@@ -23,16 +25,36 @@ class Zones:
 
 @wp.struct
 class Water:
-    """``nozzle`` x of the nozzles [m]; ``speed`` [m/s]; ``reach`` contact distance [m]; ``lost`` x behind which water
-    has missed the strand [m]; ``enthalpy`` when sprayed and when ``boiled`` [J/kg]; its ``material``."""
+    """``nozzle`` x, or z, of the nozzles [m]; ``speed`` [m/s]; ``reach`` contact distance [m]; ``lost`` x and z behind
+    which water has missed the strand [m]; ``breadth`` of the faces [m], 0 in the plane; ``enthalpy`` when sprayed and
+    when ``boiled`` [J/kg]; its ``material``."""
 
     nozzle: float
     speed: float
     reach: float
     lost: float
+    breadth: float
     enthalpy: float
     boiled: float
     material: int
+
+
+@wp.func
+def flight(water: Water, x: wp.vec3) -> wp.vec3:
+    """Velocity of water at ``x`` on its way to the face before it."""
+    velocity = wp.vec3(-water.speed, 0.0, 0.0)
+    if water.breadth > 0.0 and x[2] > x[0]:
+        velocity = wp.vec3(0.0, 0.0, -water.speed)
+    return velocity
+
+
+@wp.func
+def distance(water: Water, x: wp.vec3) -> float:
+    """Distance of water at ``x`` from the axis, along its flight."""
+    away = x[0]
+    if water.breadth > 0.0:
+        away = wp.max(x[0], x[2])
+    return away
 
 
 @wp.kernel
@@ -58,10 +80,14 @@ def _emit(
             place = next_parked(exchange, place, end)
             if place < end:
                 sprayed[zone] += 1
-                turn = wp.float64(sprayed[zone]) * GOLDEN_RATIO  # evenly spread for any number of particles
+                turn = wp.float64(sprayed[zone]) * GOLDEN_RATIO
                 height = zones.low[zone] + float(turn - wp.floor(turn)) * (zones.high[zone] - zones.low[zone])
-                x = wp.vec3(water.nozzle, height, 0.0)
-                bring_in(exchange, place, int(Role.SPRAY), x, wp.vec3(-water.speed, 0.0, 0.0), water.enthalpy)
+                turn = wp.float64(sprayed[zone]) * PLASTIC_RATIO
+                across = float(turn - wp.floor(turn)) * water.breadth
+                x = wp.vec3(water.nozzle, height, across)
+                if water.breadth > 0.0 and sprayed[zone] % 2 == 0:
+                    x = wp.vec3(across, height, water.nozzle)
+                bring_in(exchange, place, int(Role.SPRAY), x, flight(water, x), water.enthalpy)
             else:
                 missing[0] += 1
 
@@ -72,7 +98,7 @@ def _ride(first: int, water: Water, neighbours: NeighbourList, exchange: Exchang
     if exchange.role[i] == Role.SPRAY:
         x_i = exchange.position[i]
         nearest = water.reach * water.reach
-        velocity = wp.vec3(-water.speed, 0.0, 0.0)
+        velocity = flight(water, x_i)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             d = x_i - exchange.position[j]
@@ -86,7 +112,7 @@ def _ride(first: int, water: Water, neighbours: NeighbourList, exchange: Exchang
 def _boil(first: int, water: Water, exchange: Exchange):
     i = wp.tid() + first
     if exchange.role[i] == Role.SPRAY and (
-        exchange.enthalpy[i] >= water.boiled or exchange.position[i][0] < water.lost
+        exchange.enthalpy[i] >= water.boiled or distance(water, exchange.position[i]) < water.lost
     ):
         take_out(exchange, i)
 

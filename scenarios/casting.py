@@ -1,40 +1,39 @@
 """Continuous casting as in chapter 6 of Vijaykumar (2012): nozzle, melt, shell, mould, rolls, spray, withdrawal."""
 
 from collections.abc import Callable, Iterable
-from itertools import pairwise
 from typing import ClassVar, Literal
 
 import numpy as np
 from pydantic import model_validator
 
-from warpsph.boundary import Inlet, LevelGauge, OscillatingMould, Outflow, Spray, SprayZone, SymmetryPlane
+from warpsph.boundary import OscillatingMould
 from warpsph.case import preset_layer, resolve
 from warpsph.check import Check
 from warpsph.device import Executor
-from warpsph.hydrostatics import row_heights
-from warpsph.labels import Role
 from warpsph.materials import COPPER, WATER, Material, inert, thesis_steel
 from warpsph.model import Conduction, Elasticity, Fluid, Model, PhaseChange
-from warpsph.particles import Particles, lattice
 from warpsph.scenario import Scenario, parameter
 from warpsph.scenarios.casting_checks import casting_checks
+from warpsph.scenarios.casting_machine import (
+    COOLING_WATER,
+    MOULD,
+    SPRAY_BOILED,
+    SPRAY_TEMPERATURE,
+    SPRAY_WATER,
+    STEEL,
+    CastingMachine,
+)
+from warpsph.scenarios.casting_nozzle import WALL_LAYERS
 from warpsph.scenarios.casting_observer import CastingObserver
 from warpsph.scenarios.travelling_slice import cool_slice
 from warpsph.simulation import Result, Simulation
 
-STEEL, MOULD, DUMMY, SPRAY_WATER = range(4)
-MOULD_COLUMNS = 4
-DUMMY_COLUMNS = 3
-OUTFLOW_ROWS = 4
-COOLING_WATER = 373.15
-SPRAY_TEMPERATURE = 298.15
-SPRAY_BOILED = 374.15
-SPRAY_DISTANCE = 0.04  # from the nozzles to the strand [m]
-LONGEST_RIDE = 10.0  # time on the strand for which water is in reserve [s]
-
 
 class Casting(Scenario):
-    """A half strand in the plane: axis at x = 0, cold face at x = ``half_width``, y upwards from the outflow."""
+    """A half strand in the plane: axis at x = 0, cold face at x = ``half_width``, y upwards from the outflow.
+
+    In three dimensions a quarter of a square billet, with a second plane of symmetry at z = 0 and a second cold face.
+    """
 
     name: ClassVar[str] = "casting"
     summary: ClassVar[str] = "continuous casting of steel: nozzle, oscillating mould, shell, sprays, withdrawal"
@@ -45,6 +44,7 @@ class Casting(Scenario):
     duration: float = parameter(18.0, "s", "physical time to simulate", gt=0, le=1e4)
     output_interval: float = parameter(0.1, "s", "physical time between two frames and diagnostics", gt=0, le=1e4)
 
+    dimension: Literal[2, 3] = parameter(2, "", "2: a half strand in the plane; 3: a quarter of a square billet")
     spacing: float = parameter(0.004, "m", "particle spacing", ge=2e-4, le=0.01)
     half_width: float = parameter(0.10, "m", "half width of the strand", ge=0.02, le=1.0)
     level: float = parameter(0.44, "m", "height of the meniscus above the outflow", ge=0.1, le=5.0)
@@ -55,8 +55,12 @@ class Casting(Scenario):
     )
     mould_frequency: float = parameter(1.5, "Hz", "frequency of the mould's oscillation", ge=0, le=10)
     mould_conductance: float = parameter(1500.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
-    nozzle_mouth: float = parameter(0.36, "m", "height of the mouth of the submerged nozzle", gt=0, le=5.0)
-    nozzle_width: float = parameter(0.012, "m", "half width of the nozzle's bore", gt=0, le=1.0)
+    nozzle_port: Literal["down", "side"] = parameter(
+        "down", "", "where the submerged nozzle opens: downwards, or sideways by ports towards the shell"
+    )
+    nozzle_mouth: float = parameter(0.36, "m", "height of the nozzle's mouth, or of the middle of a port", gt=0, le=5)
+    nozzle_width: float = parameter(0.012, "m", "half width of the nozzle's bore, half height of a port", gt=0, le=1.0)
+    nozzle_reach: float = parameter(0.05, "m", "distance from the axis at which a side port ends", gt=0, le=1.0)
     casting_speed: float = parameter(0.01, "m/s", "speed of the strand at the level asked for", gt=0, le=0.2)
     level_gain: float = parameter(
         40.0, "", "relative rise of the pouring speed per relative shortage of level", ge=0, le=1e3
@@ -99,6 +103,8 @@ class Casting(Scenario):
 
         if not self.mould_bottom < self.level < self.mould_top:
             refuse("level", f"must lie between mould_bottom {self.mould_bottom} and mould_top {self.mould_top} m")
+        if self.nozzle_port == "side":
+            self._check_port(refuse)
         if not self.mould_bottom < self.nozzle_mouth < self.level:
             refuse(
                 "nozzle_mouth",
@@ -118,20 +124,29 @@ class Casting(Scenario):
             refuse("pouring_temperature", f"must lie above the liquidus {self.steel.liquidus:.2f} K")
         return self
 
+    def _check_port(self, refuse: Callable[[str, str], None]) -> None:
+        if self.dimension == 3:
+            refuse("nozzle_port", "a side port exists in the plane only (dimension = 2)")
+        height = self.bore + WALL_LAYERS * self.spacing
+        if self.nozzle_mouth + height > self.level:
+            refuse("nozzle_mouth", f"a side port of half height {height:.4g} m must lie below level {self.level} m")
+        if not height <= self.nozzle_reach <= 0.7 * self.half_width:
+            refuse("nozzle_reach", f"must lie between {height:.4g} m, the tube's wall, and 0.7 half_width")
+
     @property
     def steel(self) -> Material:
         return thesis_steel(self.density, self.melt_conductivity, self.viscosity)
 
     @property
     def model(self) -> Model:
-        plain = Model(2, self.spacing, (self.steel, COPPER, inert("dummy", self.density), WATER))
+        plain = Model(self.dimension, self.spacing, (self.steel, COPPER, inert("dummy", self.density), WATER))
         contact = {
             (STEEL, MOULD): plain.contact_conductivity(self.mould_conductance),
             (MOULD, SPRAY_WATER): 0.0,
             (SPRAY_WATER, SPRAY_WATER): 0.0,
         }
         return Model(
-            dimension=2,
+            dimension=self.dimension,
             spacing=self.spacing,
             materials=plain.materials,
             fluid=Fluid(self.density, self.sound_speed),
@@ -166,39 +181,23 @@ class Casting(Scenario):
         return profiles[np.argsort(order)]
 
     def build(self, executor: Executor) -> Simulation:
-        model = self.model
-        particles = Particles()
-        gauge = LevelGauge(
-            low=(0.25 * self.half_width, 0.0, -1.0),
-            high=(0.75 * self.half_width, 2.0 * self.mould_top, 1.0),
-            target_level=self.level,
-            casting_speed=self.casting_speed,
-            area_ratio=self.half_width / self.bore,
-            gain=self.level_gain,
-        )
-        top = self.level + 5.0 * self.spacing
-        row = lattice((0.0, 0.0), (self.bore, self.spacing), self.spacing)
-        row[:, 1] = 0.0
-        plane = SymmetryPlane((1.0, 0.0, 0.0), 0.0)
-        self._add_strand(particles, top)
-        self._add_walls(particles, plane)
-        spray = self._add_spray(particles)
-        inlet = Inlet(gauge, row, top, self.nozzle_mouth, self.pouring_temperature, STEEL)
-        observer = CastingObserver(self, gauge, inlet, spray)
+        machine = CastingMachine(self)
+        observer = CastingObserver(self, machine)
+        lower, upper = machine.box
         simulation = Simulation(
             executor,
-            model,
-            particles,
+            self.model,
+            machine.particles,
             devices=[
-                gauge,
+                machine.gauge,
                 OscillatingMould(self.mould_stroke, self.mould_frequency),
-                plane,
-                Outflow(gauge, 0.0, -OUTFLOW_ROWS * self.spacing, self.half_width + 2.0 * self.spacing),
-                inlet,
-                spray,
+                *machine.planes,
+                machine.outflow,
+                machine.inlet,
+                machine.spray,
             ],
-            lower=(-4 * self.spacing, -8 * self.spacing, 0.0),
-            upper=(self.half_width + 0.1, self.mould_top + 0.05, 0.0),
+            lower=lower,
+            upper=upper,
             observe=observer,
             describe=observer.describe,
         )
@@ -213,71 +212,3 @@ class Casting(Scenario):
 
     def checks(self, result: Result) -> list[Check]:
         return casting_checks(self, result)
-
-    def _add_strand(self, particles: Particles, top: float) -> None:
-        """Melt and shell at rest under their weight, the moving zones at both ends, and a reserve."""
-        dx, floor = self.spacing, -OUTFLOW_ROWS * self.spacing
-        rows = round((self.level - floor) / dx)
-        settled = row_heights(rows, dx, 9.81, self.sound_speed)
-        heights = floor + (settled if self.start == "hydrostatic" else (np.arange(rows) + 0.5) * dx)
-        columns = lattice((0.0, 0.0), (self.half_width, dx), dx)[:, 0]
-        x, y = (a.ravel() for a in np.meshgrid(columns, heights))
-        profiles = self.slices(heights)
-        cells = (np.arange(profiles.shape[1]) + 0.5) * self.half_width / profiles.shape[1]
-        temperature = np.concatenate([np.interp(columns, cells, profile) for profile in profiles])
-
-        in_tube = (y > self.nozzle_mouth) & (x < self.bore + DUMMY_COLUMNS * dx)
-        points = np.column_stack([x, y, np.zeros_like(x)])
-        strand, withdrawn = ~in_tube & (y > 0.0), y <= 0.0
-        down = (0.0, -self.casting_speed, 0.0)
-        particles.add(points[strand], Role.FREE, STEEL, temperature[strand], down)
-        particles.add(points[withdrawn], Role.OUTFLOW, STEEL, temperature[withdrawn], down)
-
-        filling = lattice((0.0, 0.0), (self.bore, top - self.nozzle_mouth), dx)
-        filling[:, 1] = top - filling[:, 1] + 0.5 * dx
-        filling = filling[filling[:, 1] > self.nozzle_mouth]
-        particles.add(filling, Role.INFLOW, STEEL, self.pouring_temperature)
-        reserve = np.tile([[0.0, top, 0.0]], (len(x) // 5, 1))
-        particles.add(reserve, Role.RESERVOIR, STEEL, self.pouring_temperature)
-
-    def _add_walls(self, particles: Particles, plane: SymmetryPlane) -> None:
-        dx, W = self.spacing, self.half_width
-        rim = self.mould_top + 0.02
-        mould = lattice((W, self.mould_bottom), (W + MOULD_COLUMNS * dx, self.mould_top), dx)
-        outermost = mould[:, 0] > W + (MOULD_COLUMNS - 1) * dx
-        particles.add(mould, Role.WALL, MOULD, COOLING_WATER, held=outermost)
-        plane.add_dummies(particles, lattice((-DUMMY_COLUMNS * dx, -7 * dx), (0.0, rim), dx), DUMMY)
-        tube = lattice((self.bore, self.nozzle_mouth), (self.bore + DUMMY_COLUMNS * dx, rim), dx)
-        particles.add(tube, Role.DUMMY, DUMMY)
-        for middle in np.arange(self.roll_first, -2 * dx, -self.roll_pitch):
-            low, high = middle - 0.5 * self.roll_size, middle + 0.5 * self.roll_size
-            particles.add(lattice((W, low), (W + DUMMY_COLUMNS * dx, high), dx), Role.DUMMY, DUMMY)
-
-    def _add_spray(self, particles: Particles) -> Spray:
-        flow = self.spray_flux * self.mould_bottom
-        edges = np.linspace(self.mould_bottom, 0.0, self.spray_zones + 1)
-        zones = [
-            SprayZone(
-                low=low,
-                high=high,
-                rate=flow / self.spray_zones / self.spray_particle,
-                off=self.spray_failure if self.spray_failure is not None and k + 1 in self.spray_failing else 1.0e9,
-            )
-            for k, (high, low) in enumerate(pairwise(edges))
-        ]
-        nozzle = self.half_width + SPRAY_DISTANCE
-        under_way = SPRAY_DISTANCE / self.spray_speed + LONGEST_RIDE
-        reserve = int(flow / self.spray_particle * under_way) + 10
-        parked = np.tile([[nozzle, 0.0, 0.0]], (reserve, 1))
-        volume = self.spray_particle / WATER.density
-        particles.add(parked, Role.RESERVOIR, SPRAY_WATER, SPRAY_TEMPERATURE, flows=False, volume=volume)
-        return Spray(
-            zones,
-            nozzle,
-            self.spray_speed,
-            reach=1.2 * self.spacing,
-            lost=0.5 * self.half_width,
-            temperature=SPRAY_TEMPERATURE,
-            boiled=SPRAY_BOILED,
-            material=SPRAY_WATER,
-        )

@@ -8,8 +8,8 @@ from warpsph.diagnostics import Snapshot, enthalpy_by_material
 from warpsph.labels import Phase, Role
 
 if TYPE_CHECKING:
-    from warpsph.boundary import Inlet, LevelGauge, Spray
     from warpsph.scenarios.casting import Casting
+    from warpsph.scenarios.casting_machine import CastingMachine
     from warpsph.simulation import Simulation
 
 BINS = 22
@@ -21,13 +21,11 @@ class CastingObserver:
 
     Args:
         case: the scenario.
-        gauge: level and casting speed.
-        inlet: the melt.
-        spray: the water.
+        machine: its devices.
     """
 
-    def __init__(self, case: "Casting", gauge: "LevelGauge", inlet: "Inlet", spray: "Spray"):
-        self.case, self.gauge, self.inlet, self.spray = case, gauge, inlet, spray
+    def __init__(self, case: "Casting", machine: "CastingMachine"):
+        self.case, self.gauge, self.inlet, self.spray = case, machine.gauge, machine.inlet, machine.spray
         self.noted: set[str] = set()
         self.edges = np.linspace(0.0, case.level, BINS + 1)
         self.heights = 0.5 * (self.edges[1:] + self.edges[:-1])

@@ -62,8 +62,8 @@ def nozzle_and_strand(device: str, reserve: int = 60, strand_rows: int = 4) -> S
     """A nozzle over an outflow zone, both kinematic, with nothing between: what enters falls through and leaves."""
     particles = Particles()
     row = lattice((0.0, 0.0), (3 * SPACING, SPACING), SPACING)
-    row[:, 1] = 0.0
-    filling = np.concatenate([row + np.array([0.0, TOP - k * SPACING, 0.0]) for k in range(5)])
+    row[:, 1] = TOP
+    filling = np.concatenate([row - np.array([0.0, k * SPACING, 0.0]) for k in range(5)])
     particles.add(filling, Role.INFLOW, 0, 1933.0)
     particles.add(lattice((0.0, -strand_rows * SPACING), (3 * SPACING, 0.0), SPACING), Role.OUTFLOW, 0, 1700.0)
     particles.add(np.tile([[0.0, TOP, 0.0]], (reserve, 1)), Role.RESERVOIR, 0, 1933.0)
@@ -71,7 +71,7 @@ def nozzle_and_strand(device: str, reserve: int = 60, strand_rows: int = 4) -> S
     return simulation_of(
         device,
         particles,
-        [level, Outflow(level, 0.0, -4 * SPACING, 1.0), Inlet(level, row, TOP, MOUTH, 1933.0)],
+        [level, Outflow(level, 0.0, -4 * SPACING, 1.0), Inlet(level, row, (0.0, -1.0, 0.0), TOP - MOUTH, 1933.0)],
     )
 
 

@@ -1,5 +1,7 @@
 """The inlet: a submerged nozzle fed from the reservoir."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import warp as wp
 
@@ -13,17 +15,23 @@ class Inlet(BoundaryDevice):
 
     Args:
         gauge: gives the pouring speed.
-        row: places (k, 3) of one row across the nozzle, at height 0 [m].
-        top: height at which rows enter the nozzle [m].
-        mouth: height below which the melt is free [m].
+        row: places (k, 3) of one row across the nozzle, at its start [m].
+        direction: unit vector along the nozzle.
+        length: distance from the row to the mouth, beyond which the melt is free [m].
         temperature: of the melt [K].
         material: index of the melt.
     """
 
     def __init__(
-        self, gauge: LevelGauge, row: np.ndarray, top: float, mouth: float, temperature: float, material: int = 0
+        self,
+        gauge: LevelGauge,
+        row: np.ndarray,
+        direction: Sequence[float],
+        length: float,
+        temperature: float,
+        material: int = 0,
     ):
-        self.gauge, self.row, self.top, self.mouth = gauge, row, top, mouth
+        self.gauge, self.row, self.direction, self.length = gauge, row, np.asarray(direction, float), length
         self.temperature, self.material = temperature, material
 
     def bind(self, solver) -> None:
@@ -31,7 +39,8 @@ class Inlet(BoundaryDevice):
         device = solver.executor.device
         self.exchange = exchange_of(solver)
         nozzle = self.nozzle = Nozzle()
-        nozzle.top, nozzle.mouth, nozzle.spacing = self.top, self.mouth, solver.model.spacing
+        nozzle.direction, nozzle.spacing = wp.vec3(*self.direction), solver.model.spacing
+        nozzle.mouth = float(self.row[0] @ self.direction) + self.length
         nozzle.enthalpy = float(solver.model.materials[self.material].enthalpy(self.temperature))
         nozzle.material = self.material
         self._row = wp.array(self.row, dtype=wp.vec3, device=device)

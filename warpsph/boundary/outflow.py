@@ -12,7 +12,7 @@ class Outflow(BoundaryDevice):
         gauge: gives the speed.
         begin: height below which particles move with the casting speed [m].
         end: height below which they leave [m]; so does everything that falls there elsewhere.
-        width: x up to which the strand reaches [m].
+        width: x, and in 3D z, up to which the strand reaches [m].
     """
 
     def __init__(self, gauge: LevelGauge, begin: float, end: float, width: float):

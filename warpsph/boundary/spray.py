@@ -32,13 +32,14 @@ class Spray(BoundaryDevice):
 
     Args:
         zones: where and how much.
-        nozzle: x from which the water comes [m]; it flies in -x.
+        nozzle: x from which the water comes [m]; it flies in -x, and in 3D from the same z in -z.
         speed: of flight [m/s].
         reach: distance to the strand at which water touches it [m].
-        lost: x behind which water has missed the strand [m].
+        lost: distance from the axis at which water has missed the strand [m].
         temperature: of the water [K].
         boiled: temperature on the enthalpy curve of the water at which it has vanished [K].
         material: index of water.
+        breadth: length of the sprayed faces across the strand [m], 0 in the plane.
     """
 
     def __init__(
@@ -51,9 +52,10 @@ class Spray(BoundaryDevice):
         temperature: float,
         boiled: float,
         material: int,
+        breadth: float = 0.0,
     ):
         self.zones, self.nozzle, self.speed, self.reach, self.lost = list(zones), nozzle, speed, reach, lost
-        self.temperature, self.boiled, self.material = temperature, boiled, material
+        self.temperature, self.boiled, self.material, self.breadth = temperature, boiled, material, breadth
 
     def bind(self, solver) -> None:
         super().bind(solver)
@@ -67,7 +69,7 @@ class Spray(BoundaryDevice):
         water.nozzle, water.speed, water.reach, water.lost = self.nozzle, self.speed, self.reach, self.lost
         water.enthalpy = float(substance.enthalpy(self.temperature))
         water.boiled = float(substance.enthalpy(self.boiled))
-        water.material = self.material
+        water.material, water.breadth = self.material, self.breadth
         self._due = wp.zeros(len(self.zones), dtype=float, device=device)
         self.sprayed = wp.zeros(len(self.zones), dtype=int, device=device)
         self.missing = wp.zeros(1, dtype=int, device=device)
