@@ -1,5 +1,6 @@
 """What is simulated: one file per case. Importing this package registers them all."""
 
+from warpsph.scenarios.cantilever import Cantilever
 from warpsph.scenarios.casting import Casting
 from warpsph.scenarios.compensated_drift import CompensatedDrift
 from warpsph.scenarios.dam_break import DamBreak
@@ -8,4 +9,13 @@ from warpsph.scenarios.hydrostatic import Hydrostatic
 from warpsph.scenarios.neighbour_search import NeighbourSearch
 from warpsph.scenarios.rotated_disc import RotatedDisc
 
-__all__ = ["Casting", "CompensatedDrift", "DamBreak", "HeatGaussian", "Hydrostatic", "NeighbourSearch", "RotatedDisc"]
+__all__ = [
+    "Cantilever",
+    "Casting",
+    "CompensatedDrift",
+    "DamBreak",
+    "HeatGaussian",
+    "Hydrostatic",
+    "NeighbourSearch",
+    "RotatedDisc",
+]

@@ -3,6 +3,7 @@
 import numpy as np
 
 from warpsph.labels import Phase, Role
+from warpsph.model import Elasticity
 
 Snapshot = dict[str, np.ndarray]
 
@@ -24,6 +25,19 @@ def common_diagnostics(state: Snapshot) -> dict[str, float]:
         values["density_min"] = float(np.min(state["density"][flowing]))
         values["density_max"] = float(np.max(state["density"][flowing]))
     return values
+
+
+def strain_energy(state: Snapshot, elasticity: Elasticity) -> float:
+    """Elastic energy [J] of all solid particles, without that of the hourglass control (Vijaykumar 2012, (4.12)).
+
+    Per metre of depth in 2D.
+    """
+    lame_lambda, lame_mu = elasticity.lame
+    solid = state["phase"] == Phase.SOLID
+    F = state["deformation"][solid].astype(float)
+    strain = 0.5 * (np.einsum("nki,nkj->nij", F, F) - np.eye(3))
+    density = lame_mu * np.sum(strain**2, axis=(1, 2)) + 0.5 * lame_lambda * np.trace(strain, axis1=1, axis2=2) ** 2
+    return float(np.sum(state["body_volume"][solid] * density))
 
 
 def enthalpy_by_material(state: Snapshot, materials: int) -> np.ndarray:
