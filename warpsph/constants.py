@@ -3,7 +3,7 @@
 import numpy as np
 import warp as wp
 
-from warpsph.kernels import conduction, density, elasticity, surface_tension
+from warpsph.kernels import colour_field_tension, conduction, density, elasticity, surface_tension
 from warpsph.kernels.smoothing import normalisation
 from warpsph.model import Model
 
@@ -27,8 +27,20 @@ def fluid_constants(model: Model) -> density.Fluid:
 
 
 def surface_constants(model: Model) -> surface_tension.Surface:
-    """Constants of the surface tension."""
+    """Constants of the surface tension: the energy of a flat surface of the lattice is exact."""
     constants = surface_tension.Surface()
+    rho_0 = model.fluid.reference_density
+    constants.support = model.support
+    constants.scale = normalisation("poly6", model.dimension, model.support) / rho_0
+    constants.threshold = model.surface_tension.threshold / model.support
+    chi = model.lattice_surface(constants.threshold)
+    constants.strength = model.surface_tension.coefficient / (chi * rho_0)
+    return constants
+
+
+def colour_field_constants(model: Model) -> colour_field_tension.ColourField:
+    """Constants of the published form of surface tension."""
+    constants = colour_field_tension.ColourField()
     constants.support = model.support
     constants.scale = normalisation("poly6", model.dimension, model.support)
     constants.dimension = model.dimension

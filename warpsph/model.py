@@ -80,15 +80,17 @@ class Elasticity:
 
 @dataclass(frozen=True)
 class SurfaceTension:
-    """Surface tension by the colour field (Vijaykumar 2012, section 2.3.2).
+    """Surface tension by the colour field.
 
     Args:
         coefficient: sigma [N/m].
-        threshold: gradient of the colour field, in units of 1/H, above which there is a surface.
+        threshold: gradient of the colour field, in units of 1/H, well above which there is a surface.
+        published: the force of Vijaykumar (2012), section 2.3.2, in place of the derivative of the surface's energy.
     """
 
     coefficient: float
     threshold: float = 0.2
+    published: bool = False
 
 
 @dataclass(frozen=True)
@@ -157,6 +159,20 @@ class Model:
         d = self.lattice_offsets()
         slope = 6.0 * (self.support**2 - np.sum(d**2, axis=1)) ** 2
         return self._lattice_sum("poly6", d[:, 0] ** 2 * slope)
+
+    def lattice_surface(self, threshold: float) -> float:
+        """Sum of V (sqrt(|grad c|^2 + threshold^2) - threshold) over the particles under a unit of flat surface.
+
+        The surface is a face of the lattice; ``threshold`` [1/m]. Close to 1/2 where the threshold is small.
+        """
+        d = self.lattice_offsets()
+        slope = 6.0 * (self.support**2 - np.sum(d**2, axis=1)) ** 2
+        total = 0.0
+        for layer in range(int(np.ceil(self.support_ratio))):
+            missing = d[:, 0] > (layer + 0.5) * self.spacing
+            steepness = self._lattice_sum("poly6", (d[:, 0] * slope)[missing])
+            total += self.spacing * (np.hypot(steepness, threshold) - threshold)
+        return float(total)
 
     def contact_conductivity(self, conductance: float) -> float:
         """Pair conductivity [W/(m K)] that gives a flat interface between two lattices this conductance [W/(m^2 K)].
