@@ -59,12 +59,14 @@ class Elasticity:
         poisson_ratio: nu.
         corrected: correct the displacement gradient by the moment matrix; False is the published form.
         hourglass: strength of the control of zero-energy modes (Ganzenmueller 2015), 0 for none.
+        contact: different bodies press on each other; not needed with a fluid, whose pressure does so.
     """
 
     youngs_modulus: float
     poisson_ratio: float
     corrected: bool = True
     hourglass: float = 0.1
+    contact: bool = False
 
     @property
     def lame(self) -> tuple[float, float]:

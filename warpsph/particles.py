@@ -11,9 +11,9 @@ from warpsph.labels import Phase, Role
 class Particles:
     """Particles under construction: NumPy arrays that grow by :meth:`add`.
 
-    Fields: position (n, 3) [m], velocity (n, 3) [m/s], role (n,), material (n,), phase (n,), temperature (n,) [K];
-    ``held`` (n,), whether the temperature stays; ``flows`` (n,), whether the particle counts in the sums of the fluid;
-    ``volume`` (n,) [m^3, or m^2 in 2D], or 0 for a cell of the lattice.
+    Fields: position (n, 3) [m], velocity (n, 3) [m/s], role (n,), material (n,), phase (n,), body (n,), temperature
+    (n,) [K]; ``held`` (n,), whether the temperature stays; ``flows`` (n,), whether the particle counts in the sums of
+    the fluid; ``volume`` (n,) [m^3, or m^2 in 2D], or 0 for a cell of the lattice.
     """
 
     position: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
@@ -21,6 +21,7 @@ class Particles:
     role: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
     material: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
     phase: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
+    body: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
     temperature: np.ndarray = field(default_factory=lambda: np.zeros(0))
     held: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
     flows: np.ndarray = field(default_factory=lambda: np.zeros(0, bool))
@@ -38,13 +39,15 @@ class Particles:
         velocity: tuple[float, float, float] | np.ndarray = (0.0, 0.0, 0.0),
         held: bool | np.ndarray = False,
         flows: bool = True,
-        volume: float = 0.0,
+        volume: float | np.ndarray = 0.0,
         phase: Phase = Phase.LIQUID,
+        body: int = 0,
     ) -> None:
         """Append particles at ``position`` (n, 3); the other values are one for all or one each.
 
         ``held`` particles keep their temperature and account for the heat they take. Particles whose ``phase`` is solid
-        are bonded as they stand where the model is elastic; a phase change may melt them later.
+        are bonded as they stand where the model is elastic; a phase change may melt them later. Solids of different
+        ``body`` press on each other where the model has contact.
         """
         n = len(position)
         self.position = np.concatenate([self.position, position])
@@ -52,10 +55,11 @@ class Particles:
         self.role = np.concatenate([self.role, np.full(n, int(role), np.int32)])
         self.material = np.concatenate([self.material, np.full(n, material, np.int32)])
         self.phase = np.concatenate([self.phase, np.full(n, int(phase), np.int32)])
+        self.body = np.concatenate([self.body, np.full(n, body, np.int32)])
         self.temperature = np.concatenate([self.temperature, np.broadcast_to(temperature, n)])
         self.held = np.concatenate([self.held, np.broadcast_to(held, n).astype(np.int32)])
         self.flows = np.concatenate([self.flows, np.full(n, flows)])
-        self.volume = np.concatenate([self.volume, np.full(n, volume)])
+        self.volume = np.concatenate([self.volume, np.broadcast_to(volume, n)])
 
 
 def lattice(lower: tuple[float, ...], upper: tuple[float, ...], spacing: float) -> np.ndarray:

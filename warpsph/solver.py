@@ -8,6 +8,7 @@ import warp as wp
 from warpsph.boundary.device import BoundaryDevice
 from warpsph.constants import (
     colour_field_constants,
+    contact_constants,
     elastic_constants,
     fluid_constants,
     surface_constants,
@@ -18,6 +19,7 @@ from warpsph.kernels import (
     bonds,
     colour_field_tension,
     conduction,
+    contact,
     density,
     elasticity,
     forces,
@@ -73,10 +75,12 @@ class Solver:
         self.phase_changed = wp.array([int(starts_solid)], dtype=int, device=executor.device)
         self.bond_events = wp.zeros(1, dtype=int, device=executor.device)
         self.longest_bond_row = wp.zeros(1, dtype=int, device=executor.device)
+        has_contact = model.elasticity is not None and model.elasticity.contact
+        self.contact = contact_constants(model) if has_contact else None
         self.neighbours = Neighbours(
             executor,
             state,
-            model.support,
+            max(model.support, self.contact.reach) if has_contact else model.support,
             skin * model.spacing,
             lower,
             upper,
@@ -135,6 +139,8 @@ class Solver:
                 self._add_surface_tension()
             if self.model.elasticity:
                 self._add_elastic_forces()
+                if self.contact:
+                    self._add_contact_forces()
             if self.model.fluid or self.model.elasticity:
                 self._kick()
         with section():
@@ -230,6 +236,19 @@ class Solver:
             s.body_volume,
             s.deformation,
             s.stress,
+            s.acceleration,
+        )
+
+    def _add_contact_forces(self) -> None:
+        s = self.state
+        contact.add_contact_forces(
+            self.executor,
+            self.contact,
+            self.neighbours.list,
+            s.position,
+            s.role,
+            s.body,
+            s.mass,
             s.acceleration,
         )
 

@@ -21,8 +21,8 @@ class State:
     count like the fluid, spray does not count). With conduction: ``enthalpy`` [J/kg] with ``enthalpy_carry``,
     ``temperature`` [K], ``solid_fraction``, ``conductivity`` [W/(m K)], ``thermal_volume``, ``heat_rate`` [W],
     ``held``, ``heat_held`` [J]. With phase change or elasticity: ``froze``. With surface tension: ``surface_normal``.
-    With elasticity: ``bonds``, ``body_volume`` [m^3 or m^2], ``correction``, ``deformation``, ``stress``. Devices may
-    add arrays by :meth:`add`; arrays move with their particles when these are sorted.
+    With elasticity: ``bonds``, ``body_volume`` [m^3 or m^2], ``correction``, ``deformation``, ``stress``, and with
+    contact ``body``. Devices may add arrays by :meth:`add`; arrays move with their particles when these are sorted.
     """
 
     def __init__(self, particles: Particles, model: Model, device: wp.Device):
@@ -75,6 +75,8 @@ class State:
             self.add("surface_normal", np.zeros((n, 3)), wp.vec3)
         if model.elasticity is not None:
             self.bonds = _empty_bonds(n, model, device)
+            if model.elasticity.contact:
+                self.add("body", particles.body, int)
             self.add("body_volume", mass / densities[material], float)
             for name in ("correction", "deformation", "stress"):
                 self.add(name, np.zeros((n, 3, 3)), wp.mat33)
