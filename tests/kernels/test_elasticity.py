@@ -168,3 +168,37 @@ def test_particles_that_froze_on_top_of_each_other_stay_calm(device):
     for _ in range(300):
         solver.step()
     assert np.max(np.abs(simulation.state.numpy("velocity"))) < 0.1
+
+
+def test_a_body_that_starts_solid_needs_no_melt(device):
+    """A body must fall as one piece, with the volume of its particles, where there is neither fluid nor heat."""
+    particles = Particles()
+    particles.add(disc(2), Role.FREE, phase=Phase.SOLID)
+    model = Model(2, SPACING, (inert("rubber", 1000.0),), elasticity=Elasticity(E, 0.3))
+    simulation = Simulation(Executor(device), model, particles)
+    start = simulation.snapshot()["position"]
+    result = simulation.run(0.05, 0.05)
+    assert np.allclose(result.fields["body_volume"], SPACING**2)
+    assert simulation.state.bonds.count.numpy().min() > 4
+    assert np.allclose(result.fields["velocity"], [0.0, -9.81 * 0.05, 0.0], atol=1e-3)
+    assert np.allclose(result.positions - start, [0.0, -0.5 * 9.81 * 0.05**2, 0.0], atol=2e-4)
+
+
+def test_a_solid_start_with_phase_change_is_bonded_once(device):
+    """A body that starts solid must not lose its bonds when the phases are looked at for the first time."""
+    particles = Particles()
+    particles.add(disc(2), Role.FREE, phase=Phase.SOLID)
+    model = Model(
+        2,
+        SPACING,
+        (inert("rubber", 1000.0),),
+        fluid=Fluid(1000.0, 50.0),
+        phase_change=PhaseChange(),
+        elasticity=Elasticity(E, 0.3),
+    )
+    simulation = Simulation(Executor(device), model, particles)
+    simulation.state.add("solid_fraction", np.ones(len(particles)), float)
+    simulation.solver.prepare()
+    assert simulation.state.bonds.count.numpy().min() > 4
+    assert simulation.solver.bond_events.numpy()[0] == 1
+    assert np.allclose(simulation.state.numpy("body_volume"), simulation.state.numpy("mass") / 1000.0)
