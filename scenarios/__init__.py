@@ -8,6 +8,7 @@ from warpsph.scenarios.heat_gaussian import HeatGaussian
 from warpsph.scenarios.hydrostatic import Hydrostatic
 from warpsph.scenarios.neighbour_search import NeighbourSearch
 from warpsph.scenarios.rotated_disc import RotatedDisc
+from warpsph.scenarios.rubber_rings import RubberRings
 
 __all__ = [
     "Cantilever",
@@ -18,4 +19,5 @@ __all__ = [
     "Hydrostatic",
     "NeighbourSearch",
     "RotatedDisc",
+    "RubberRings",
 ]
