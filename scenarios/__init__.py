@@ -1,6 +1,7 @@
 """What is simulated: one file per case. Importing this package registers them all."""
 
 from warpsph.scenarios.cantilever import Cantilever
+from warpsph.scenarios.breakout import Breakout
 from warpsph.scenarios.casting import Casting
 from warpsph.scenarios.compensated_drift import CompensatedDrift
 from warpsph.scenarios.dam_break import DamBreak
@@ -11,6 +12,7 @@ from warpsph.scenarios.rotated_disc import RotatedDisc
 from warpsph.scenarios.rubber_rings import RubberRings
 
 __all__ = [
+    "Breakout",
     "Cantilever",
     "Casting",
     "CompensatedDrift",

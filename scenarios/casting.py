@@ -1,6 +1,7 @@
 """Continuous casting as in chapter 6 of Vijaykumar (2012): nozzle, melt, shell, mould, rolls, spray, withdrawal."""
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import ClassVar, Literal
 
 import numpy as np
@@ -14,6 +15,7 @@ from warpsph.materials import COPPER, WATER, Material, inert, thesis_steel
 from warpsph.model import Conduction, Elasticity, Fluid, Model, PhaseChange
 from warpsph.scenario import Scenario, parameter
 from warpsph.scenarios.casting_checks import casting_checks
+from warpsph.scenarios.casting_experiments import INLETS, inlet_checks, oscillation_checks
 from warpsph.scenarios.casting_machine import (
     COOLING_WATER,
     MOULD,
@@ -38,7 +40,7 @@ class Casting(Scenario):
     name: ClassVar[str] = "casting"
     summary: ClassVar[str] = "continuous casting of steel: nozzle, oscillating mould, shell, sprays, withdrawal"
     source: ClassVar[str] = "Vijaykumar (2012), chapters 6 and 7"
-    presets: ClassVar[tuple[str, ...]] = ("demo", "thesis", "breakout")
+    presets: ClassVar[tuple[str, ...]] = ("demo", "thesis", *INLETS, "oscillation", "billet")
     default_preset: ClassVar[str | None] = "demo"
 
     duration: float = parameter(18.0, "s", "physical time to simulate", gt=0, le=1e4)
@@ -55,6 +57,13 @@ class Casting(Scenario):
     )
     mould_frequency: float = parameter(1.5, "Hz", "frequency of the mould's oscillation", ge=0, le=10)
     mould_conductance: float = parameter(1500.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
+    mould_friction: float = parameter(
+        0.0,
+        "Pa s",
+        "viscosity with which the mould drags on the steel; 0: the flux lubricates perfectly",
+        ge=0,
+        le=1e3,
+    )
     nozzle_port: Literal["down", "side"] = parameter(
         "down", "", "where the submerged nozzle opens: downwards, or sideways by ports towards the shell"
     )
@@ -85,6 +94,8 @@ class Casting(Scenario):
     spray_failure: float | None = parameter(None, "s", "time at which the failing zones go off; none: never", ge=0)
     spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
 
+    support_ratio: float = parameter(2.6, "", "support of the smoothing kernels over the spacing", ge=2.0, le=4.0)
+    step_factor: float = parameter(1.0, "", "time step of the flow over the stable one (7.6)", gt=0, le=10)
     elasticity: Literal["corrected", "published"] = parameter(
         "corrected", "", "displacement gradient: corrected for rotation, or as published"
     )
@@ -139,7 +150,9 @@ class Casting(Scenario):
 
     @property
     def model(self) -> Model:
-        plain = Model(self.dimension, self.spacing, (self.steel, COPPER, inert("dummy", self.density), WATER))
+        copper = replace(COPPER, viscosity=self.mould_friction)
+        materials = (self.steel, copper, inert("dummy", self.density), WATER)
+        plain = Model(self.dimension, self.spacing, materials, self.support_ratio)
         contact = {
             (STEEL, MOULD): plain.contact_conductivity(self.mould_conductance),
             (MOULD, SPRAY_WATER): 0.0,
@@ -148,12 +161,19 @@ class Casting(Scenario):
         return Model(
             dimension=self.dimension,
             spacing=self.spacing,
-            materials=plain.materials,
+            materials=materials,
+            support_ratio=self.support_ratio,
             fluid=Fluid(self.density, self.sound_speed),
             conduction=Conduction(contact),
             phase_change=PhaseChange(),
             elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),
         )
+
+    def zone_at(self, height: float) -> int | None:
+        """Spray zone at a height [m], counted from the mould; none in the mould or below the outflow."""
+        if not 0.0 <= height < self.mould_bottom:
+            return None
+        return min(int((1.0 - height / self.mould_bottom) * self.spray_zones) + 1, self.spray_zones)
 
     @property
     def bore(self) -> float:
@@ -198,6 +218,7 @@ class Casting(Scenario):
             ],
             lower=lower,
             upper=upper,
+            step_factor=self.step_factor,
             observe=observer,
             describe=observer.describe,
         )
@@ -206,9 +227,13 @@ class Casting(Scenario):
 
     @classmethod
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
-        """The demo, or the whole run at the thesis's resolution."""
-        case = resolve(cls, [preset_layer(cls, "thesis" if slow else "demo")])
-        yield from case.checks(simulate(case))
+        """The demo; and, where there is time, the run at the thesis's resolution, its experiments, and the billet."""
+        for preset in ("thesis", "billet") if slow else ("demo",):
+            case = resolve(cls, [preset_layer(cls, preset)])
+            yield from case.checks(simulate(case))
+        if slow:
+            yield from inlet_checks(cls, simulate)
+            yield from oscillation_checks(cls, simulate)
 
     def checks(self, result: Result) -> list[Check]:
         return casting_checks(self, result)

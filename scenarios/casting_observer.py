@@ -6,6 +6,7 @@ import numpy as np
 
 from warpsph.diagnostics import Snapshot, enthalpy_by_material
 from warpsph.labels import Phase, Role
+from warpsph.scenarios.casting_watch import ShellWatch
 
 if TYPE_CHECKING:
     from warpsph.scenarios.casting import Casting
@@ -17,7 +18,7 @@ Values = dict[str, float | np.ndarray]
 
 
 class CastingObserver:
-    """Gives the diagnostics of a casting run, per metre of depth; all ledgers count from the start of the run.
+    """Gives the diagnostics of a casting run, in the plane per metre of depth; ledgers count from the start of the run.
 
     Args:
         case: the scenario.
@@ -27,6 +28,7 @@ class CastingObserver:
     def __init__(self, case: "Casting", machine: "CastingMachine"):
         self.case, self.gauge, self.inlet, self.spray = case, machine.gauge, machine.inlet, machine.spray
         self.noted: set[str] = set()
+        self.watch = ShellWatch(case, self._note)
         self.edges = np.linspace(0.0, case.level, BINS + 1)
         self.heights = 0.5 * (self.edges[1:] + self.edges[:-1])
 
@@ -37,27 +39,25 @@ class CastingObserver:
         self.start = enthalpy_by_material(simulation.snapshot(), self.materials)
 
     def __call__(self, state: Snapshot, time: float) -> Values:
-        self._note_events(time)
-        return self._flow(state) | self._mass(state) | self._heat(state) | self._shell(state) | {"height": self.heights}
+        self._note_shortages(time)
+        shell = self._shell(state)
+        watched = self.watch(state, time, self.heights, shell["shell_thickness"])
+        flow = self._flow(state) | self._stroke(state)
+        return flow | self._mass(state) | self._heat(state) | shell | watched | {"height": self.heights}
 
     def describe(self, values: Values) -> str:
         """One line for the progress bar."""
         exit_bin = int(np.argmin(np.abs(self.heights - self.case.mould_bottom)))
         return f"level {values['level']:.3f} m, shell at mould exit {1e3 * values['shell_thickness'][exit_bin]:.1f} mm"
 
-    def _note_events(self, time: float) -> None:
-        failure = self.case.spray_failure
-        if failure is not None and time >= failure:
-            zones = ", ".join(str(zone) for zone in self.case.spray_failing)
-            self._note_once(failure, f"sprays fail in zone {zones}")
-        for device, substance in ((self.inlet, "melt"), (self.spray, "water")):
-            if device.missing.numpy()[0] > 0:
-                self._note_once(time, f"the reservoir has run out of {substance}")
+    def _note(self, time: float, text: str) -> None:
+        self.simulation.note_event(time, text)
 
-    def _note_once(self, time: float, text: str) -> None:
-        if text not in self.noted:
-            self.noted.add(text)
-            self.simulation.note_event(time, text)
+    def _note_shortages(self, time: float) -> None:
+        for device, substance in ((self.inlet, "melt"), (self.spray, "water")):
+            if device.missing.numpy()[0] > 0 and substance not in self.noted:
+                self.noted.add(substance)
+                self._note(time, f"the reservoir has run out of {substance}")
 
     def _flow(self, state: Snapshot) -> Values:
         level, casting_speed, pouring_speed = (float(v) for v in self.gauge.speeds.numpy())
@@ -71,6 +71,17 @@ class CastingObserver:
             "pouring_speed": pouring_speed,
             "missing_melt": float(self.inlet.missing.numpy()[0]),
             "missing_water": float(self.spray.missing.numpy()[0]),
+        }
+
+    def _stroke(self, state: Snapshot) -> Values:
+        """Velocities along y of the mould and of the skin of the shell in it."""
+        case, velocity = self.case, state["velocity"][:, 1]
+        x, y, _ = state["position"].T
+        skin = (state["material"] == 0) & (state["role"] == Role.FREE) & (state["phase"] == Phase.SOLID)
+        skin &= (x > case.half_width - 1.5 * case.spacing) & (y > case.mould_bottom) & (y < case.level)
+        return {
+            "mould_velocity": float(np.mean(velocity[state["role"] == Role.WALL])),
+            "shell_velocity": float(np.mean(velocity[skin])) if np.any(skin) else np.nan,
         }
 
     def _mass(self, state: Snapshot) -> Values:
@@ -106,22 +117,27 @@ class CastingObserver:
         }
 
     def _shell(self, state: Snapshot) -> Values:
+        """The shell of the face at x = half width; in 3D of its half next to the axis."""
+        case = self.case
         inside = (state["material"] == 0) & (state["role"] == Role.FREE)
+        inside &= state["position"][:, 0] > 0.5 * case.half_width
+        breadth = 1.0
+        if case.dimension == 3:
+            breadth = 0.5 * case.half_width
+            inside &= state["position"][:, 2] < breadth
         x, y = state["position"][inside, 0], state["position"][inside, 1]
         solid = state["phase"][inside] == Phase.SOLID
-        cell = self.case.spacing**2
+        temperature = state["temperature"][inside]
         place = np.digitize(y, self.edges) - 1
-        strand = (place >= 0) & (place < BINS) & (x > 0.5 * self.case.half_width)
-        area = np.bincount(place[strand & solid], minlength=BINS)[:BINS] * cell
+        strand = (place >= 0) & (place < BINS)
+        volume = np.bincount(place[strand & solid], minlength=BINS) * case.spacing**case.dimension
         surface = np.full(BINS, np.nan)
         for k in range(BINS):
             here = strand & (place == k)
             if np.any(here):
-                outermost = x[here] > np.max(x[here]) - 0.6 * self.case.spacing
-                surface[k] = np.mean(state["temperature"][inside][here][outermost])
-        escaped = (x > self.case.half_width + 5.0 * self.case.spacing) & ~solid
+                outermost = x[here] > np.max(x[here]) - 0.6 * case.spacing
+                surface[k] = np.mean(temperature[here][outermost])
         return {
-            "shell_thickness": area / np.diff(self.edges),
+            "shell_thickness": volume / (breadth * np.diff(self.edges)),
             "shell_surface_temperature": surface,
-            "escaped_melt": float(np.sum(escaped)),
         }

@@ -40,6 +40,7 @@ class Hydrostatic(Scenario):
     )
 
     support_ratio: float = parameter(3.0, "", "support of the smoothing kernels over the spacing", ge=2.0, le=6.0)
+    step_factor: float = parameter(1.0, "", "time step over the stable one (7.6)", gt=0, le=10)
     settling: float = parameter(0.5, "s", "time for which a drag calms the start", ge=0.0, le=1e3)
 
     @property
@@ -87,7 +88,9 @@ class Hydrostatic(Scenario):
         particles.add(melt, Role.FREE)
         particles.add(walls, Role.DUMMY, material=1)
         drag = Settling(rate=2.0 * self.sound_speed / self.height, until=self.settling)
-        return Simulation(executor, model, particles, devices=[drag], observe=self._observe)
+        return Simulation(
+            executor, model, particles, devices=[drag], step_factor=self.step_factor, observe=self._observe
+        )
 
     def _observe(self, state: dict[str, np.ndarray], time: float) -> dict[str, float]:
         melt = state["role"] == Role.FREE

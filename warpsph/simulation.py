@@ -53,6 +53,7 @@ class Simulation:
         devices: boundary devices, in the order in which they act.
         lower, upper: box that holds the particles [m], by default theirs with a margin.
         dt: time step [s], by default the largest stable one; a larger one is refused.
+        step_factor: what the limits of the flow's time step are multiplied by; more than 1 is for studies of stability.
         speed_limit: speed at which the run counts as diverged [m/s]; by default five times the sound speed.
         observe: gives the scenario's own diagnostics from a snapshot and the time.
         describe: gives the note of the progress bar and the summary from the latest diagnostics.
@@ -68,13 +69,15 @@ class Simulation:
         lower: Sequence[float] | None = None,
         upper: Sequence[float] | None = None,
         dt: float | None = None,
+        step_factor: float = 1.0,
         speed_limit: float | None = None,
         observe: Callable[[Snapshot, float], dict[str, float | np.ndarray]] | None = None,
         describe: Callable[[dict[str, float | np.ndarray]], str] | None = None,
     ):
         self.executor, self.model = executor, model
         self.observe, self.describe = observe, describe
-        self.limits = time_step_limits(model, tuple(np.unique(particles.material[particles.role == Role.FREE])))
+        limits = time_step_limits(model, tuple(np.unique(particles.material[particles.role == Role.FREE])))
+        self.limits = {reason: step_factor * limit for reason, limit in limits.items()}
         self.longest_step = _choose_step(dt, self.limits)
         self.heat_every = 1
         if model.conduction is not None:

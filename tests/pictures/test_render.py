@@ -9,6 +9,7 @@ import pytest
 from matplotlib.image import imread
 
 from warpsph.errors import InputError
+from warpsph.labels import Phase
 from warpsph.output import ResultWriter
 from warpsph.pictures import graphics, plot_diagnostics, render_movie, render_series, render_still
 from warpsph.pictures.sheet import time_text
@@ -107,6 +108,22 @@ def test_three_dimensions(tmp_path, with_graphics):
         writer.write_frame(0.0, points, fields)
     render_still(ResultFile(tmp_path / "run.vtkhdf"), tmp_path / "still.png")
     assert share_of(imread(tmp_path / "still.png"), lambda red, green, blue: red + green + blue < 2.7) > 0.3
+
+
+def test_a_cut_shows_what_is_inside(tmp_path, with_graphics):
+    """If it failed, nobody could see the melt inside a block of shell."""
+    points = 0.1 * np.stack([axis.ravel() for axis in np.indices((8, 8, 8))], axis=1)
+    inside = np.all((points > 0.15) & (points < 0.55), axis=1)
+    fields = {"role": np.zeros(len(points), "i4"), "phase": np.where(inside, Phase.LIQUID, Phase.SOLID).astype("i4")}
+    with ResultWriter(tmp_path / "run.vtkhdf", {}, {"spacing": 0.1, "dimension": 3}) as writer:
+        writer.write_frame(0.0, points, fields)
+    shares = []
+    for cut in (None, (2, 0.35)):
+        render_still(ResultFile(tmp_path / "run.vtkhdf"), tmp_path / "still.png", field="phase", cut=cut)
+        shares.append(share_of(imread(tmp_path / "still.png"), molten))
+    assert shares[1] > 3.0 * shares[0]
+    with pytest.raises(InputError, match="lie beyond"):
+        render_still(ResultFile(tmp_path / "run.vtkhdf"), tmp_path / "still.png", cut=(0, -1.0))
 
 
 def test_wrong_requests_leave_nothing(result, tmp_path):

@@ -19,6 +19,7 @@ def render(
     field: Annotated[str | None, Parameter(metavar="NAME")] = None,
     time: Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gte=0, lte=1e6))] = None,
     movie: bool = False,
+    cut: Annotated[str | None, Parameter(metavar="AXIS=METRES")] = None,
     output: Annotated[Path | None, Parameter(metavar="PICTURE")] = None,
 ) -> None:
     """Draw a frame of a result file as a PNG picture, or all frames as an MP4 movie; no display is needed.
@@ -34,27 +35,50 @@ def render(
         Physical time in s; the nearest frame is drawn, the last one when not given.
     movie
         Draw all frames as a movie.
+    cut
+        Cut the picture open: leave out what lies beyond a plane, for example z=0.03.
     output
         The picture to write; beside FILE, with its name, when not given.
     """
     if movie and time is not None:
         raise InputError("--time and --movie exclude each other: a movie shows all times")
+    if movie and cut is not None:
+        raise InputError("--cut and --movie exclude each other: a movie shows everything")
+    plane = _plane(cut)
     picture = _target(file, field, output, suffix=".mp4" if movie else ".png")
     result = ResultFile(file)
     if time is not None:
         _check_time(result, time)
-    _draw(result, picture, field, time, movie)
+    _draw(result, picture, field, time, movie, plane)
     output_console().print(Text(f"written: {picture}"), soft_wrap=True)
 
 
-def _draw(result: ResultFile, picture: Path, field: str | None, time: float | None, movie: bool) -> None:
+def _draw(
+    result: ResultFile,
+    picture: Path,
+    field: str | None,
+    time: float | None,
+    movie: bool,
+    plane: tuple[int, float] | None,
+) -> None:
     from warpsph.pictures import render_movie, render_still
 
     if movie:
         with error_console().status("drawing the movie"):
             render_movie(result, picture, field=field)
     else:
-        render_still(result, picture, field=field, time=time)
+        render_still(result, picture, field=field, time=time, cut=plane)
+
+
+def _plane(cut: str | None) -> tuple[int, float] | None:
+    """Axis and place [m] of a plane from ``AXIS=METRES``."""
+    if cut is None:
+        return None
+    axis, _, place = cut.partition("=")
+    try:
+        return ("x", "y", "z").index(axis.strip()), float(place)
+    except ValueError:
+        raise InputError(f"--cut '{cut}': give an axis and a place in metres, for example z=0.03") from None
 
 
 def _target(file: Path, field: str | None, output: Path | None, suffix: str) -> Path:

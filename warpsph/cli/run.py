@@ -146,6 +146,8 @@ def _conclude(result: "Result", path: Path) -> None:
     table = Table.grid(padding=(0, 2))
     for quantity, value in result.summary.items():
         table.add_row(Text(quantity, style="bold"), Text(value))
+    for time, event in result.events:
+        table.add_row(Text(f"at {time:.4g} s", style="bold"), Text(event))
     console.print(table)
     if result.status != "complete":
         console.print(f"interrupted at {result.time:.4g} s; the frames until then are kept")

@@ -15,6 +15,8 @@ from warpsph.results import ResultFile
 
 SURVEYED_FRAMES = 9
 
+Cut = tuple[int, float]
+
 
 class Drawing:
     """Draws frames of one result on one sheet, in colours that hold for the whole run.
@@ -26,30 +28,48 @@ class Drawing:
         panels: number of panels of the sheet.
         long_side: of one panel [inch].
         dots_per_inch: resolution of the sheet.
+        cut: axis (0, 1, 2) and place [m] of a plane, beyond which nothing is drawn; None for no cut.
 
     Raises:
-        InputError: there is no frame, or no such field.
+        InputError: there is no frame, no such field, or nothing on this side of the cut.
     """
 
     def __init__(
-        self, result: ResultFile, drawn: list[int], field: str | None, panels: int, long_side: float, dots_per_inch: int
+        self,
+        result: ResultFile,
+        drawn: list[int],
+        field: str | None,
+        panels: int,
+        long_side: float,
+        dots_per_inch: int,
+        cut: Cut | None = None,
     ) -> None:
         if len(result.times) == 0:
             raise InputError(f"{result.path}: holds no frame to draw")
-        self.result = result
+        self.result, self.cut = result, cut
         survey = np.linspace(0, len(result.times) - 1, SURVEYED_FRAMES).round().astype(int).tolist()
-        frames = {k: result.frame(k) for k in {*drawn, *survey}}
+        frames = {k: self._frame(k) for k in {*drawn, *survey}}
+        if cut is not None and not any(len(points) for points, _ in frames.values()):
+            raise InputError(f"cut = {'xyz'[cut[0]]}={cut[1]:g}: all particles lie beyond it")
         self.look = choose_look(result, field, list(frames.values()))
         self.view = make_view(result, [frames[k] for k in drawn])
         self.sheet = Sheet(self.view, self.look, panels, long_side, dots_per_inch, float(result.times[-1]))
 
     def draw(self, panel: int, k: int) -> None:
         """Draw frame ``k`` into a panel."""
-        points, fields = self.result.frame(k)
+        points, fields = self._frame(k)
         diameters = self.view.diameters(fields["role"])
         points = self.view.layered(points, fields["role"])
         image = painter()(points, self.look.colours(fields), diameters, self.view, self.sheet.size)
         self.sheet.show(panel, image, self.result.times[k])
+
+    def _frame(self, k: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+        points, fields = self.result.frame(k)
+        if self.cut is None:
+            return points, fields
+        axis, place = self.cut
+        kept = points[:, axis] <= place
+        return points[kept], {name: values[kept] for name, values in fields.items()}
 
 
 def painter():

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from warpsph.errors import InputError
-from warpsph.pictures.drawing import Drawing, check_output
+from warpsph.pictures.drawing import Cut, Drawing, check_output
 from warpsph.pictures.sheet import STILL_SUFFIXES
 from warpsph.results import ResultFile
 
@@ -11,7 +11,9 @@ DOTS_PER_INCH = 200
 LONG_SIDE, LONG_SIDE_IN_SERIES = 7.2, 5.4  # inches
 
 
-def render_still(result: ResultFile, output: Path, *, field: str | None = None, time: float | None = None) -> None:
+def render_still(
+    result: ResultFile, output: Path, *, field: str | None = None, time: float | None = None, cut: Cut | None = None
+) -> None:
     """Draw the frame nearest to a time.
 
     Without ``field`` a run in which something has frozen is drawn as a caster sees it: melt from dark red to pale
@@ -23,12 +25,13 @@ def render_still(result: ResultFile, output: Path, *, field: str | None = None, 
         output: the picture; its suffix is one of ``STILL_SUFFIXES``.
         field: "role", "phase", "speed", or any stored field; vectors by magnitude.
         time: [s]; None for the last frame.
+        cut: axis (0, 1, 2) and place [m] of a plane, beyond which nothing is drawn.
 
     Raises:
         InputError: unknown field, format or folder, or a file without frames.
     """
     times = [result.times[-1] if time is None and len(result.times) else time or 0.0]
-    _render(result, output, field, times, LONG_SIDE)
+    _render(result, output, field, times, LONG_SIDE, cut)
 
 
 def render_series(result: ResultFile, output: Path, times: list[float], *, field: str | None = None) -> None:
@@ -38,11 +41,18 @@ def render_series(result: ResultFile, output: Path, times: list[float], *, field
     _render(result, output, field, times, LONG_SIDE_IN_SERIES)
 
 
-def _render(result: ResultFile, output: Path, field: str | None, times: list[float], long_side: float) -> None:
+def _render(
+    result: ResultFile,
+    output: Path,
+    field: str | None,
+    times: list[float],
+    long_side: float,
+    cut: Cut | None = None,
+) -> None:
     output = Path(output)
     check_output(output, STILL_SUFFIXES)
     frames = [result.nearest(time) for time in times]
-    drawing = Drawing(result, frames, field, len(frames), long_side, DOTS_PER_INCH)
+    drawing = Drawing(result, frames, field, len(frames), long_side, DOTS_PER_INCH, cut)
     for panel, k in enumerate(frames):
         drawing.draw(panel, k)
     drawing.sheet.save(output)

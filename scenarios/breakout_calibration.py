@@ -1,0 +1,74 @@
+"""Calibrate the breakout, first the mould and then the failure: ``python -m warpsph.scenarios.breakout_calibration``.
+
+The mould's conductance is the smallest that by one-dimensional conduction leaves a shell of enough layers, and with
+which the control run, all sprays on, keeps its shell for the whole time. Then the sprays fail early once, which
+measures how long the shell lasts without them; the failure is set so that the hole comes at the published time.
+"""
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from warpsph.case import preset_layer, resolve
+from warpsph.cli.consoles import error_console
+from warpsph.cli.progress import shown_progress
+from warpsph.scenarios.breakout import HOLE, PUBLISHED_HOLE, Breakout
+from warpsph.scenarios.breakout_reckoning import remelting_delay, thinnest_shell
+from warpsph.simulation import Result
+
+CONDUCTANCES = np.arange(1300.0, 2001.0, 100.0)  # the usual range of moulds [W/(m^2 K)]
+LAYERS = 2.5  # layers of particles that the thinnest shell must have
+TRIAL_FAILURE = 2.0  # [s]
+
+
+def run(case: Breakout, title: str) -> Result:
+    """Simulate with a progress bar and print what happened."""
+    with shown_progress(title, error_console()) as progress:
+        result = case.run(progress=progress)
+    print(f"{title}: " + ("; ".join(f"{time:.2f} s {text}" for time, text in result.events) or "nothing happened"))
+    return result
+
+
+def choose_conductance(case: Breakout) -> Breakout:
+    """The case with the smallest conductance that holds the strand."""
+    for conductance in CONDUCTANCES:
+        held = case.model_copy(update={"mould_conductance": float(conductance), "spray_failing": ()})
+        thinnest = thinnest_shell(held)
+        print(f"conductance {conductance:.0f} W/(m^2 K): thinnest shell {1e3 * thinnest:.1f} mm by 1-D conduction")
+        if thinnest < LAYERS * case.spacing:
+            continue
+        if not np.any(run(held, f"control, {conductance:.0f} W/(m^2 K)").diagnostics["hole_height"]):
+            return case.model_copy(update={"mould_conductance": float(conductance)})
+    sys.exit("no conductance of the usual range holds the strand: pour less hot, or give more water")
+
+
+def choose_failure(case: Breakout) -> Breakout:
+    """The case with the time of failure that makes the hole come at the published time."""
+    print(f"remelting without water, by 1-D conduction: {remelting_delay(case):.1f} s")
+    events = run(case.model_copy(update={"spray_failure": TRIAL_FAILURE}), "early failure").events
+    hole = next((time for time, text in events if HOLE in text), None)
+    if hole is None:
+        sys.exit("the shell bears the failure: pour hotter")
+    failure = round(PUBLISHED_HOLE - (hole - TRIAL_FAILURE), 1)
+    print(f"the shell lasts {hole - TRIAL_FAILURE:.2f} s without water: sprays fail at {failure} s")
+    return case.model_copy(update={"spray_failure": failure})
+
+
+def main(presets: list[str]) -> None:
+    """Calibrate the presets named, or all, and write what was found into their files."""
+    for preset in presets or Breakout.presets:
+        case = choose_failure(choose_conductance(resolve(Breakout, [preset_layer(Breakout, preset)])))
+        run(case, "with the failure set")
+        path = Path(__file__).parent / "cases" / "breakout" / f"{preset}.toml"
+        path.write_text(
+            f"# {1e3 * case.spacing:g} mm spacing; the last two lines are what the calibration found.\n"
+            f"spacing = {case.spacing:g}\n"
+            f"mould_conductance = {case.mould_conductance:.1f}\n"
+            f"spray_failure = {case.spray_failure}\n"
+        )
+        print(f"written: {path.name}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
