@@ -1,7 +1,7 @@
 """What is simulated: one file per case. Importing this package registers them all."""
 
-from warpsph.scenarios.cantilever import Cantilever
 from warpsph.scenarios.breakout import Breakout
+from warpsph.scenarios.cantilever import Cantilever
 from warpsph.scenarios.casting import Casting
 from warpsph.scenarios.compensated_drift import CompensatedDrift
 from warpsph.scenarios.dam_break import DamBreak
