@@ -21,6 +21,7 @@ from warpsph.labels import Role
 from warpsph.nearest import did_you_mean
 from warpsph.pictures import plot_diagnostics, render_series, render_still
 from warpsph.results import ResultFile
+from warpsph.scenarios.cantilever import period, spectral_elements
 from warpsph.scenarios.dam_break import published_front
 from warpsph.scenarios.neighbour_search import as_matrix
 from warpsph.scenarios.travelling_slice import shell_thickness
@@ -197,6 +198,45 @@ def rotated_disc(picture: Path) -> None:
     drawing.colorbar(dots, ax=axes, label=r"force / ($E\,\Delta x$)")
     drawing.savefig(picture, dpi=150)
     plt.close(drawing)
+
+
+@figure
+def cantilever(picture: Path) -> None:
+    """Shapes of the plate over a period, the deflection of its tip, and the error of the period over the spacing."""
+    case = find_scenario("cantilever")()
+    known_period, known_tip = spectral_elements()[case.speed]
+    layers = np.array([6, 10, 20])
+    runs = [simulated("cantilever", None, f"layers={n}") for n in layers]
+    drawing, (shapes, tip, error) = plt.subplots(1, 3, figsize=(13, 4), layout="constrained")
+    for k, quarter in enumerate((0.0, 0.25, 0.5, 0.75)):
+        position, _ = runs[1].frame(runs[1].nearest(quarter * known_period))
+        shapes.plot(1e3 * position[:, 0], 1e3 * position[:, 1], ".", ms=1.5, color=f"C{k}", label=f"{quarter:g} T")
+    shapes.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal")
+    shapes.legend(frameon=False, markerscale=6, loc="upper left")
+    for run, n in zip(runs, layers, strict=True):
+        tip.plot(run.diagnostics["time"], 1e3 * run.diagnostics["tip"], lw=1, label=f"{n} particles across")
+    crests, troughs = (np.arange(3) + 0.25) * known_period, (np.arange(3) + 0.75) * known_period
+    tip.plot(crests, np.full(3, 1e3 * known_tip), "k_", ms=12, label="spectral elements")
+    tip.plot(troughs, np.full(3, -1e3 * known_tip), "k_", ms=12)
+    tip.plot(np.arange(1, 4) * known_period, np.zeros(3), "k|", ms=12)
+    tip.set(xlabel="time [s]", ylabel="deflection of the tip [mm]", ylim=(-130.0, 190.0))
+    tip.legend(frameon=False, ncols=2, loc="upper center", fontsize=8)
+    wide = [simulated("cantilever", None, f"layers={n}", "support_ratio=2.6", "duration=0.3") for n in layers]
+    for found, label in ((runs, "support 1.5 spacings"), (wide, "support 2.6 spacings")):
+        periods = [period(run.diagnostics["time"], run.diagnostics["tip"]) for run in found]
+        error.loglog(layers, 100.0 * (np.array(periods) / known_period - 1.0), "o-", label=label)
+    error.loglog(layers, 1.21 * (10.0 / layers) ** 2, "k--", lw=0.8, label="second order")
+    error.set(xlabel="particles across", ylabel="error of the period [%]", xticks=layers, xticklabels=layers)
+    error.minorticks_off()
+    error.legend(frameon=False)
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def rubber_rings(picture: Path) -> None:
+    """The rings at six times, coloured by speed."""
+    render_series(simulated("rubber_rings"), picture, [0.0, 0.004, 0.008, 0.012, 0.018, 0.024], field="speed")
 
 
 @figure
