@@ -1,25 +1,20 @@
-"""Surface tension as the derivative of an energy: sigma times the area of the surface, read off the colour field.
+"""Surface tension as a force along the normal of the surface, by the curvature of its normals.
 
-The colour field is 1 inside the fluid and falls to 0 across its surface. Its steepness, summed over the particles, is
-an area times a constant of the lattice chi, so the energy of the surface is
-
-    S = sigma / chi * sum_k V_k sqrt(|g_k|^2 + epsilon^2),    g_k = sum_j V_j grad W(x_k - x_j),
-
-over all liquid particles k, with the volumes V = m / rho_0, which do not change. The force on a particle is minus the
-derivative of S by its place,
-
-    F_i = -sigma / chi * V_i sum_j V_j Hess W(x_i - x_j) (t_i - t_j),    t_k = g_k / sqrt(|g_k|^2 + epsilon^2),
-
-equal and opposite in each pair of liquid particles.
+The colour field is 1 inside the liquid and falls to 0 across its surface. Its gradient points into the liquid; its
+steepness, summed over the particles under a unit of surface, is a constant chi of the lattice, close to 1/2, however
+the rows are turned. So sigma kappa / (chi rho_0) times the gradient is an acceleration that makes, on a unit of
+surface, the force sigma kappa.
 """
 
 import warp as wp
 
 from warpsph.kernels.labels import Phase, Role
 from warpsph.kernels.pairs import NeighbourList, entry_of, index_of
-from warpsph.kernels.smoothing import poly6_slope
+from warpsph.kernels.smoothing import poly6_slope, poly6_value
 
 wp.set_module_options({"enable_backward": False})
+
+SPRAY = wp.constant(0.3)  # colour below which a few particles fly by themselves and have no surface
 
 
 @wp.struct
@@ -27,21 +22,15 @@ class Surface:
     """Constants of the surface.
 
     ``support`` H [m]; ``scale`` normalisation of the poly6 kernel over rho_0, which makes volumes of masses;
-    ``strength`` sigma / (chi rho_0) [m^3/s^2]; ``threshold`` epsilon [1/m], the steepness of the colour field well
-    above which there is a surface.
+    ``strength`` (d - 1) sigma / (chi rho_0) [m^3/s^2]; ``threshold`` steepness of the colour field above which there is
+    a surface [1/m]; ``depth`` mean depth below the surface at which the force acts [m].
     """
 
     support: float
     scale: float
     strength: float
     threshold: float
-
-
-@wp.func
-def poly6_hessian_times(d: wp.vec3, t: wp.vec3, H: float):
-    """Hess W t of the poly6 kernel at the separation d [m], without its normalisation [m^4]."""
-    b = wp.max(H * H - wp.dot(d, d), 0.0)
-    return d * (24.0 * b * wp.dot(d, t)) - t * (6.0 * b * b)
+    depth: float
 
 
 @wp.kernel
@@ -56,17 +45,21 @@ def _find_surface_normal(
     normal: wp.array[wp.vec3],
 ):
     i = wp.tid() + first
-    t = wp.vec3()
+    n_i = wp.vec3()
     if role[i] == Role.FREE and phase[i] != Phase.SOLID:
         x_i = position[i]
         gradient = wp.vec3()
+        colour = fluid_mass[i] * poly6_value(0.0, surface.support)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             d = x_i - position[j]
-            gradient += d * (fluid_mass[j] * poly6_slope(wp.dot(d, d), surface.support))
-        g = gradient * surface.scale
-        t = g / wp.sqrt(wp.dot(g, g) + surface.threshold * surface.threshold)
-    normal[i] = t
+            r_squared = wp.dot(d, d)
+            gradient += d * (fluid_mass[j] * poly6_slope(r_squared, surface.support))
+            colour += fluid_mass[j] * poly6_value(r_squared, surface.support)
+        steepness = wp.length(gradient) * surface.scale
+        if steepness > surface.threshold and colour * surface.scale > SPRAY:
+            n_i = gradient * (surface.scale * (1.0 - surface.threshold / steepness))
+    normal[i] = n_i
 
 
 @wp.kernel
@@ -76,24 +69,37 @@ def _add_surface_tension(
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     fluid_mass: wp.array[float],
-    role: wp.array[int],
-    phase: wp.array[int],
     normal: wp.array[wp.vec3],
     acceleration: wp.array[wp.vec3],
 ):
     i = wp.tid() + first
-    if role[i] == Role.FREE and phase[i] != Phase.SOLID:
+    n_i = normal[i]
+    if wp.dot(n_i, n_i) > 0.0:
         x_i = position[i]
-        t_i = normal[i]
-        total = wp.vec3()
+        t_i = wp.normalize(n_i)
+        turn = float(0.0)
+        spread = float(0.0)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            total += fluid_mass[j] * poly6_hessian_times(x_i - position[j], t_i - normal[j], surface.support)
-        acceleration[i] -= total * (surface.strength * surface.scale)
+            n_j = normal[j]
+            steepness = wp.length(n_j)
+            if steepness > 0.0:
+                d = x_i - position[j]
+                t_j = n_j / steepness
+                weight = -fluid_mass[j] * steepness * poly6_slope(wp.dot(d, d), surface.support)
+                across = wp.dot(d, wp.normalize(t_i + t_j))
+                turn += weight * wp.dot(t_j - t_i, d)
+                spread += weight * (wp.dot(d, d) - across * across)
+        if spread > 0.0:
+            # a few particles by themselves have no curvature to speak of
+            sharpest = 0.5 / surface.support
+            inside = wp.clamp(turn / spread, -sharpest, sharpest)
+            # normals at this depth converge on the same centre over a smaller radius
+            acceleration[i] += n_i * (surface.strength * inside / (1.0 + inside * surface.depth))
 
 
 def find_surface_normal(launch, surface, neighbours, position, fluid_mass, role, phase, normal) -> None:
-    """Write t (n,): into the liquid and of length 1 at its surface, near 0 inside, 0 for all that is not liquid.
+    """Write the gradient (n,) [1/m] of the colour field less the threshold; 0 for all that is not liquid at a surface.
 
     All neighbours with a ``fluid_mass`` (n,) [kg] count for the colour field, so that a surface is where there is
     nothing beyond: not at a wall, and not where melt touches its shell.
@@ -105,10 +111,14 @@ def find_surface_normal(launch, surface, neighbours, position, fluid_mass, role,
     )
 
 
-def add_surface_tension(launch, surface, neighbours, position, fluid_mass, role, phase, normal, acceleration) -> None:
-    """Add the acceleration (n,) [m/s^2] of free liquid particles by surface tension; ``normal`` as found above."""
+def add_surface_tension(launch, surface, neighbours, position, fluid_mass, normal, acceleration) -> None:
+    """Add the acceleration (n,) [m/s^2] of liquid particles at a surface, with ``normal`` as found above.
+
+    The curvature is the turn of the unit normals t_j - t_i along the surface over the way along it, both weighted with
+    the steepness of the neighbour: on a sphere whose normals are exact it is exact.
+    """
     launch(
         _add_surface_tension,
         position.shape[0],
-        [surface, neighbours, position, fluid_mass, role, phase, normal, acceleration],
+        [surface, neighbours, position, fluid_mass, normal, acceleration],
     )

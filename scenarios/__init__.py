@@ -5,6 +5,7 @@ from warpsph.scenarios.cantilever import Cantilever
 from warpsph.scenarios.casting import Casting
 from warpsph.scenarios.compensated_drift import CompensatedDrift
 from warpsph.scenarios.dam_break import DamBreak
+from warpsph.scenarios.drop import Drop
 from warpsph.scenarios.heat_gaussian import HeatGaussian
 from warpsph.scenarios.hydrostatic import Hydrostatic
 from warpsph.scenarios.neighbour_search import NeighbourSearch
@@ -17,6 +18,7 @@ __all__ = [
     "Casting",
     "CompensatedDrift",
     "DamBreak",
+    "Drop",
     "HeatGaussian",
     "Hydrostatic",
     "NeighbourSearch",

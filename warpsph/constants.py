@@ -31,14 +31,14 @@ def fluid_constants(model: Model) -> density.Fluid:
 
 
 def surface_constants(model: Model) -> surface_tension.Surface:
-    """Constants of the surface tension: the energy of a flat surface of the lattice is exact."""
+    """Constants of the surface tension, with which the force on a unit of surface is exact on the lattice."""
     constants = surface_tension.Surface()
     rho_0 = model.fluid.reference_density
     constants.support = model.support
     constants.scale = normalisation("poly6", model.dimension, model.support) / rho_0
     constants.threshold = model.surface_tension.threshold / model.support
-    chi = model.lattice_surface(constants.threshold)
-    constants.strength = model.surface_tension.coefficient / (chi * rho_0)
+    chi, constants.depth = model.lattice_surface(constants.threshold)
+    constants.strength = (model.dimension - 1) * model.surface_tension.coefficient / (chi * rho_0)
     return constants
 
 

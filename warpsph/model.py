@@ -16,11 +16,14 @@ class Fluid:
         reference_density: rho_0 [kg/m^3].
         sound_speed: c_s [m/s].
         tension: whether pressure may fall below zero; forbid it where there is a free surface.
+        continuity: advance the density by the equation of continuity in place of (2.1), which finds too little of it
+            at a free surface: the outermost rows fall onto each other before they bear any pressure.
     """
 
     reference_density: float
     sound_speed: float
     tension: bool = False
+    continuity: bool = False
 
 
 @dataclass(frozen=True)
@@ -82,16 +85,16 @@ class Elasticity:
 
 @dataclass(frozen=True)
 class SurfaceTension:
-    """Surface tension by the colour field.
+    """Surface tension by the colour field; needs a fluid whose density follows the equation of continuity.
 
     Args:
         coefficient: sigma [N/m].
-        threshold: gradient of the colour field, in units of 1/H, well above which there is a surface.
-        published: the force of Vijaykumar (2012), section 2.3.2, in place of the derivative of the surface's energy.
+        threshold: gradient of the colour field, in units of 1/H, above which there is a surface.
+        published: the force of Vijaykumar (2012), section 2.3.2, which pulls on flat surfaces too.
     """
 
     coefficient: float
-    threshold: float = 0.2
+    threshold: float = 0.15
     published: bool = False
 
 
@@ -162,19 +165,22 @@ class Model:
         slope = 6.0 * (self.support**2 - np.sum(d**2, axis=1)) ** 2
         return self._lattice_sum("poly6", d[:, 0] ** 2 * slope)
 
-    def lattice_surface(self, threshold: float) -> float:
-        """Sum of V (sqrt(|grad c|^2 + threshold^2) - threshold) over the particles under a unit of flat surface.
+    def lattice_surface(self, threshold: float) -> tuple[float, float]:
+        """Sum of V (|grad c| - threshold), where positive, over the particles under a unit of a face of the lattice.
 
-        The surface is a face of the lattice; ``threshold`` [1/m]. Close to 1/2 where the threshold is small.
+        And their mean depth [m], so weighted. ``threshold`` [1/m]; without one the sum is half the lattice factor of
+        conduction, close to 1/2.
         """
         d = self.lattice_offsets()
         slope = 6.0 * (self.support**2 - np.sum(d**2, axis=1)) ** 2
-        total = 0.0
+        total = moment = 0.0
         for layer in range(int(np.ceil(self.support_ratio))):
             missing = d[:, 0] > (layer + 0.5) * self.spacing
             steepness = self._lattice_sum("poly6", (d[:, 0] * slope)[missing])
-            total += self.spacing * (np.hypot(steepness, threshold) - threshold)
-        return float(total)
+            weight = self.spacing * max(steepness - threshold, 0.0)
+            total += weight
+            moment += weight * (layer + 0.5) * self.spacing
+        return float(total), float(moment / total)
 
     def contact_conductivity(self, conductance: float) -> float:
         """Pair conductivity [W/(m K)] that gives a flat interface between two lattices this conductance [W/(m^2 K)].

@@ -20,6 +20,7 @@ from warpsph.kernels import (
     colour_field_tension,
     conduction,
     contact,
+    continuity,
     density,
     elasticity,
     forces,
@@ -105,7 +106,7 @@ class Solver:
             self._find_temperature()
         self.neighbours.renew_if_outdated()
         if self.model.fluid:
-            self._find_density()
+            self._find_density(0.0)
             self._extrapolate_pressure()
         if self.model.elasticity:
             self.executor.when(self.phase_changed, self._bond_solids)
@@ -120,7 +121,7 @@ class Solver:
         self.neighbours.renew_if_outdated()
         if self.model.fluid:
             with section():
-                self._find_density()
+                self._find_density(self.dt)
                 for device in self.devices:
                     device.after_density(self.dt)
             self._extrapolate_pressure()
@@ -161,8 +162,24 @@ class Solver:
         if self.model.phase_change:
             self._change_phase()
 
-    def _find_density(self) -> None:
+    def _find_density(self, interval: float) -> None:
         s = self.state
+        if self.model.fluid.continuity:
+            continuity.advance_density(
+                self.executor,
+                self.fluid,
+                interval,
+                self.neighbours.list,
+                s.position,
+                s.velocity,
+                s.fluid_mass,
+                s.role,
+                s.density,
+                s.density_carry,
+                s.pressure,
+                s.volume,
+            )
+            return
         density.sum_density(
             self.executor,
             self.fluid,
@@ -215,7 +232,7 @@ class Solver:
         if self.model.surface_tension.published:
             add, given = colour_field_tension.add_colour_field_tension, (s.density, s.volume, s.role, s.phase)
         else:
-            add, given = surface_tension.add_surface_tension, (s.fluid_mass, s.role, s.phase, s.surface_normal)
+            add, given = surface_tension.add_surface_tension, (s.fluid_mass, s.surface_normal)
         add(self.executor, self.surface, self.neighbours.list, s.position, *given, s.acceleration)
 
     def _find_stress(self) -> None:

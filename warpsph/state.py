@@ -49,6 +49,8 @@ class State:
             mass = np.where(moves & particles.flows, fluid_mass, mass)
             self.add("fluid_mass", fluid_mass, float)
             self.add("density", np.full(n, model.fluid.reference_density), float)
+            if model.fluid.continuity:
+                self.add("density_carry", np.zeros(n), float)
             self.add("pressure", np.zeros(n), float)
             self.add("volume", fluid_mass / model.fluid.reference_density, float)
             self.add("viscosity", np.array([m.viscosity for m in model.materials])[material], float)

@@ -11,7 +11,7 @@ def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
 
     ``moving`` are the indices of the materials that move. Vijaykumar (2012), equation (7.6) with h = H/2, because the
     formula comes from a kernel with support 2h; and the elastic wave, to which the sound of the melt adds, across
-    half a spacing, because bonds may be shorter than the spacing.
+    half a spacing, because bonds may be shorter than the spacing. The shortest capillary wave as in Morris (2000).
     """
     limits = {}
     if model.fluid is not None:
@@ -19,6 +19,9 @@ def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
         drag = 2.0 * 4.9633 * viscosity / (h * model.fluid.reference_density)
         limits["sound and viscosity (7.6)"] = 0.5 * h / (model.fluid.sound_speed + drag)
+        if model.surface_tension is not None:
+            inertia = model.fluid.reference_density * h**3 / (2.0 * np.pi * model.surface_tension.coefficient)
+            limits["surface tension"] = 0.25 * float(np.sqrt(inertia))
     if model.elasticity is not None:
         if model.fluid is not None:
             wave = np.hypot(model.elasticity.wave_speed(model.fluid.reference_density), model.fluid.sound_speed)
