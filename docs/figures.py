@@ -23,6 +23,7 @@ from warpsph.pictures import plot_diagnostics, render_series, render_still
 from warpsph.results import ResultFile
 from warpsph.scenarios.cantilever import period, spectral_elements
 from warpsph.scenarios.dam_break import published_front
+from warpsph.scenarios.drop_shape import swing_of
 from warpsph.scenarios.neighbour_search import as_matrix
 from warpsph.scenarios.travelling_slice import shell_thickness
 
@@ -180,6 +181,30 @@ def dam_break_front(picture: Path) -> None:
 def dam_break_space(picture: Path) -> None:
     """The collapse in space."""
     render_still(simulated("dam_break", "space"), picture, field="temperature", time=0.4)
+
+
+@figure
+def drop(picture: Path) -> None:
+    """The square drop on its way to the circle."""
+    render_series(simulated("drop"), picture, [0.0, 0.2, 0.4, 6.0], field="pressure")
+
+
+@figure
+def drop_swing(picture: Path) -> None:
+    """The second mode of the elliptic drop, beside the swing that fits it and the one of Rayleigh's period."""
+    case, series = find_scenario("drop")(shape="ellipse"), simulated("drop", None, "shape=ellipse").diagnostics
+    time, exact = series["time"], case.period(2, float(series["radius"][0]))
+    swing = swing_of(time, series["second_mode"], exact)
+    omega = np.sqrt((2.0 * np.pi / exact) ** 2 - swing.damping**2)
+    drawing, axes = plt.subplots(figsize=(6, 3.5), layout="constrained")
+    axes.plot(time, series["second_mode"], label="measured")
+    rayleigh = swing.amplitude * np.exp(-swing.damping * time) * np.cos(omega * time)
+    axes.plot(time, rayleigh, "k--", lw=1, label="Rayleigh's period, damping and amplitude as measured")
+    axes.axhline(0.0, color="0.8", lw=0.8, zorder=0)
+    axes.set(xlabel="time [s]", ylabel="amplitude of the second mode, over R")
+    axes.legend(frameon=False)
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
 
 
 @figure
