@@ -2,6 +2,7 @@
 # make test       install with the test tools and run the quick tests
 # make validate   the long tests and every published number (hours)
 # make figures    draw every picture of the manual anew
+# make study      measure the tables of the parameter study anew
 # make lint docs clean
 #
 # PYTHON=python3.12 make run   chooses the interpreter (3.11 or newer)
@@ -13,7 +14,7 @@ GRAPHICS_PACKAGES := libegl1 libgl1-mesa-dri
 EXTRA_dev := [dev]
 EXTRA_docs := [docs]
 
-.PHONY: run test validate figures lint docs clean graphics
+.PHONY: run test validate figures study lint docs clean graphics
 
 run: .venv/installed-run graphics
 	$(BIN)/warpsph run casting --preset demo --output $(DEMO).vtkhdf --overwrite
@@ -30,6 +31,9 @@ validate: .venv/installed-dev
 
 figures: .venv/installed-run graphics
 	$(BIN)/python docs/figures.py
+
+study: .venv/installed-run
+	$(BIN)/python docs/parameter_study.py
 
 lint: .venv/installed-dev
 	$(BIN)/ruff check .

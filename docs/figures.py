@@ -10,6 +10,7 @@ from pathlib import Path
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
+from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
 from matplotlib.colors import LogNorm
 
 from warpsph.case import preset_layer, resolve, settings_layer
@@ -22,6 +23,7 @@ from warpsph.nearest import did_you_mean
 from warpsph.pictures import plot_diagnostics, render_series, render_still
 from warpsph.results import ResultFile
 from warpsph.scenarios.cantilever import period, spectral_elements
+from warpsph.scenarios.casting_experiments import INLETS
 from warpsph.scenarios.dam_break import published_front
 from warpsph.scenarios.drop_shape import swing_of
 from warpsph.scenarios.neighbour_search import as_matrix
@@ -107,6 +109,45 @@ def casting_shell(picture: Path) -> None:
     left.legend(frameon=False, loc="lower left")
     drawing.savefig(picture, dpi=150)
     plt.close(drawing)
+
+
+@figure
+def casting_inlets(picture: Path) -> None:
+    """The strand with side ports, and its shell with ports at three heights."""
+    draw_inlets([simulated("casting", preset) for preset in INLETS], picture)
+
+
+@figure
+def casting_oscillation(picture: Path) -> None:
+    """What follows the mould over two cycles."""
+    draw_oscillation(simulated("casting", "oscillation"), picture)
+
+
+@figure
+def casting_billet(picture: Path) -> None:
+    """The billet from outside."""
+    render_still(simulated("casting", "billet"), picture)
+
+
+@figure
+def casting_billet_open(picture: Path) -> None:
+    """The billet cut open."""
+    render_still(simulated("casting", "billet"), picture, cut=(2, 0.03))
+
+
+@figure
+def breakout(picture: Path) -> None:
+    """The strand when the program noted thinning, hole and outflow, and at the end of the thesis's series."""
+    result = simulated("breakout", "coarse")
+    render_series(result, picture, [*event_times(result), 15.0, 18.0])
+
+
+@figure
+def breakout_shell(picture: Path) -> None:
+    """The shell over height and time, with the sprays on and off."""
+    case = resolve(find_scenario("breakout"), [preset_layer(find_scenario("breakout"), "coarse")])
+    control = simulated("breakout", "coarse", "spray_failing=[]")
+    draw_breakout_shell(simulated("breakout", "coarse"), control, case, picture)
 
 
 @figure

@@ -63,10 +63,11 @@ class CastingMachine:
         )
 
     def _gauge(self, nozzle: Nozzle) -> LevelGauge:
-        """Weighs a column beside the nozzle."""
+        """Weighs a column of whole cells beside the nozzle."""
         case = self.case
-        beside = max(high[0] for _, high in (*nozzle.walls, nozzle.bore)) + 0.5 * case.spacing
-        low, high = max(0.25 * case.half_width, beside), 0.75 * case.half_width
+        beside = max(high[0] for _, high in (*nozzle.walls, nozzle.bore))
+        sides = max(0.25 * case.half_width, beside), 0.75 * case.half_width
+        low, high = (round(side / case.spacing) * case.spacing for side in sides)
         depth = (-1.0, 1.0) if case.dimension == 2 else (low, high)
         return LevelGauge(
             low=(low, 0.0, depth[0]),

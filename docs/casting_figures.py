@@ -1,0 +1,88 @@
+"""Pictures of the casting machine's experiments, for ``docs/figures.py``."""
+
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+
+from warpsph.case import preset_layer, resolve
+from warpsph.pictures import render_still
+from warpsph.results import ResultFile
+from warpsph.scenarios.breakout import HOLE, OUTFLOW, THINS, Breakout
+from warpsph.scenarios.casting import Casting
+from warpsph.scenarios.casting_experiments import INLETS, mean_shell, whole_cycles
+
+DOTS_PER_INCH = 150
+
+
+def draw_inlets(results: list[ResultFile], picture: Path) -> None:
+    """A strand with side ports, and the thickness of the shell against height for ports at three heights."""
+    strand = picture.with_suffix(".strand.png")
+    render_still(results[1], strand)
+    drawing, (left, right) = plt.subplots(1, 2, figsize=(9, 6), width_ratios=(1, 1.3), layout="constrained")
+    left.imshow(plt.imread(strand))
+    left.set_axis_off()
+    strand.unlink()
+    for k, (preset, result) in enumerate(zip(INLETS, results, strict=True)):
+        case = resolve(Casting, [preset_layer(Casting, preset)])
+        heights = result.diagnostics["height"][0]
+        right.plot(1e3 * mean_shell(result.diagnostics), heights, "o-", ms=4, color=f"C{k}", label=preset.split("_")[1])
+        right.axhline(case.nozzle_mouth, color=f"C{k}", ls=":", lw=1)
+    right.axhline(case.mould_bottom, color="0.7", lw=1)
+    right.annotate("mould ends", (0.98, case.mould_bottom), xycoords=("axes fraction", "data"), ha="right", va="bottom")
+    right.set(xlabel="shell thickness [mm]", ylabel="height [m]")
+    right.legend(frameon=False, title="ports")
+    _save(drawing, picture)
+
+
+def draw_oscillation(result: ResultFile, picture: Path) -> None:
+    """Velocities of mould and shell, and the level, over two cycles."""
+    case = resolve(Casting, [preset_layer(Casting, "oscillation")])
+    d = whole_cycles(result.diagnostics, case, settled=result.times[-1] - 2.0 / case.mould_frequency - 1e-6)
+    drawing, (upper, lower) = plt.subplots(2, 1, figsize=(8, 5), sharex=True, layout="constrained")
+    upper.plot(d["time"], 1e3 * d["mould_velocity"], label="mould")
+    upper.plot(d["time"], 1e3 * d["shell_velocity"], label="skin of the shell")
+    upper.fill_between(
+        d["time"],
+        1e3 * d["mould_velocity"],
+        1e3 * d["shell_velocity"],
+        where=d["mould_velocity"] < d["shell_velocity"],
+        color="0.85",
+        label="negative strip",
+    )
+    upper.axhline(-1e3 * case.casting_speed, color="0.7", lw=1, ls=":")
+    upper.set(ylabel="velocity [mm/s]")
+    upper.legend(frameon=False, ncols=3)
+    for name in ("level", "meniscus"):
+        lower.plot(d["time"], 1e3 * (d[name] - d[name].mean()), label=name)
+    lower.set(xlabel="time [s]", ylabel="height less its mean [mm]")
+    lower.legend(frameon=False, ncols=2)
+    _save(drawing, picture)
+
+
+def draw_breakout_shell(failed: ResultFile, control: ResultFile, case: Breakout, picture: Path) -> None:
+    """Thickness of the shell over height and time, with the moments that the program noted, beside the control run."""
+    drawing, axes = plt.subplots(1, 2, figsize=(10, 4.5), sharey=True, layout="constrained")
+    for panel, result, title in zip(axes, (control, failed), ("all sprays on", "sprays failed"), strict=True):
+        d = result.diagnostics
+        image = panel.pcolormesh(
+            d["time"], d["height"][0], 1e3 * d["shell_thickness"].T, cmap="viridis", vmin=0, vmax=24, shading="nearest"
+        )
+        panel.axhline(case.mould_bottom, color="w", lw=1)
+        panel.set(title=title, xlabel="time [s]", xlim=(0, 18))
+        for time, text in result.events:
+            panel.axvline(time, color="w", lw=1, ls="--")
+            short = next((word for word in (THINS, HOLE, OUTFLOW) if word in text), "sprays fail")
+            panel.text(time, 0.43, short, color="w", rotation=90, ha="right", va="top", fontsize=8)
+    axes[0].set(ylabel="height [m]")
+    drawing.colorbar(image, label="shell thickness [mm]")
+    _save(drawing, picture)
+
+
+def event_times(result: ResultFile) -> list[float]:
+    """Times [s] of thinning, hole and outflow."""
+    return [next(time for time, text in result.events if word in text) for word in (THINS, HOLE, OUTFLOW)]
+
+
+def _save(drawing, picture: Path) -> None:
+    drawing.savefig(picture, dpi=DOTS_PER_INCH)
+    plt.close(drawing)
