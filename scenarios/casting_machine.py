@@ -37,8 +37,9 @@ class CastingMachine:
         self.case = case
         self.particles = Particles()
         self.rim = case.mould_top + 0.02
-        self.top = case.level + 5.0 * case.spacing
-        nozzle = side_port(case, self.rim) if case.nozzle_port == "side" else straight_tube(case, self.top, self.rim)
+        self.heights = self._row_heights()
+        side = case.nozzle_port == "side"
+        nozzle = side_port(case, self.rim) if side else straight_tube(case, self.heights, self.rim)
         planes = [SymmetryPlane((1.0, 0.0, 0.0), 0.0)]
         if case.dimension == 3:
             planes.append(SymmetryPlane((0.0, 0.0, 1.0), 0.0))
@@ -61,6 +62,14 @@ class CastingMachine:
             case.mould_top + 0.05,
             0.0 if flat else outside,
         )
+
+    def _row_heights(self) -> np.ndarray:
+        """Heights [m] of the rows of the strand and of the zone in which it is withdrawn."""
+        case, floor = self.case, -OUTFLOW_ROWS * self.case.spacing
+        rows = round((case.level - floor) / case.spacing)
+        if case.start == "hydrostatic":
+            return floor + row_heights(rows, case.spacing, 9.81, case.sound_speed)
+        return floor + (np.arange(rows) + 0.5) * case.spacing
 
     def _gauge(self, nozzle: Nozzle) -> LevelGauge:
         """Weighs a column of whole cells beside the nozzle."""
@@ -89,15 +98,11 @@ class CastingMachine:
 
     def _add_strand(self, nozzle: Nozzle) -> None:
         """Melt and shell at rest under their weight, the moving zones at both ends, and a reserve."""
-        case, particles = self.case, self.particles
-        dx, W, floor = case.spacing, case.half_width, -OUTFLOW_ROWS * case.spacing
-        rows = round((case.level - floor) / dx)
-        settled = row_heights(rows, dx, 9.81, case.sound_speed)
-        heights = floor + (settled if case.start == "hydrostatic" else (np.arange(rows) + 0.5) * dx)
+        case, particles, dx, W = self.case, self.particles, self.case.spacing, self.case.half_width
         section = self._fill((0.0, W), (0.0, dx), (0.0, W))
-        points = np.tile(section, (rows, 1))
-        points[:, 1] = np.repeat(heights, len(section))
-        profiles = case.slices(heights)
+        points = np.tile(section, (len(self.heights), 1))
+        points[:, 1] = np.repeat(self.heights, len(section))
+        profiles = case.slices(self.heights)
         cells = (np.arange(profiles.shape[1]) + 0.5) * W / profiles.shape[1]
         from_axis = np.max(section[:, [0, 2]], axis=1)
         temperature = np.concatenate([np.interp(from_axis, cells, profile) for profile in profiles])
@@ -108,7 +113,7 @@ class CastingMachine:
         particles.add(points[strand], Role.FREE, STEEL, temperature[strand], down)
         particles.add(points[withdrawn], Role.OUTFLOW, STEEL, temperature[withdrawn], down)
         particles.add(nozzle.filling(dx), Role.INFLOW, STEEL, case.pouring_temperature)
-        reserve = np.tile([[0.0, self.top, 0.0]], (len(points) // 5, 1))
+        reserve = np.tile([[0.0, case.level, 0.0]], (len(points) // 5, 1))
         particles.add(reserve, Role.RESERVOIR, STEEL, case.pouring_temperature)
 
     def _add_walls(self, nozzle: Nozzle) -> None:
@@ -126,12 +131,13 @@ class CastingMachine:
             particles.add(roll[self._outside(roll, 0.0)], Role.DUMMY, DUMMY)
 
     def _add_dummies(self, planes: list[SymmetryPlane]) -> None:
-        """Dummies behind the planes of symmetry."""
-        dx, W = self.case.spacing, self.case.half_width
+        """Dummies behind the planes of symmetry, in 3D also behind mould and rolls, or melt leaks at their ends."""
+        dx = self.case.spacing
         behind, height = (-DUMMY_LAYERS * dx, 0.0), (-7 * dx, self.rim)
-        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], W)), DUMMY)
+        outside = self.case.half_width + MOULD_LAYERS * dx
+        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], outside)), DUMMY)
         for plane in planes[1:]:
-            plane.add_dummies(self.particles, self._fill((0.0, W), height, behind), DUMMY)
+            plane.add_dummies(self.particles, self._fill((0.0, outside), height, behind), DUMMY)
 
     def _add_spray(self) -> Spray:
         case = self.case

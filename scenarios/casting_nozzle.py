@@ -53,9 +53,14 @@ class Nozzle:
         return inside
 
 
-def straight_tube(case: "Casting", top: float, rim: float) -> Nozzle:
-    """A tube along the axis, round ones as squares, that opens downwards."""
-    dx, mouth, bore = case.spacing, case.nozzle_mouth, case.bore
+def straight_tube(case: "Casting", heights: np.ndarray, rim: float) -> Nozzle:
+    """A tube along the axis, round ones as squares, that opens downwards.
+
+    Its rows of melt continue those of the strand at ``heights`` [m]; two rows too near each other would be a shock.
+    """
+    dx, bore = case.spacing, case.bore
+    mouth = float(np.max(heights[heights < case.nozzle_mouth])) + 0.5 * dx
+    top = mouth + (np.ceil((case.level - mouth) / dx) + 5.5) * dx
     outside = bore + WALL_LAYERS * dx
     flat = case.dimension == 2
     depth = (-1.0, 1.0) if flat else (0.0, bore)

@@ -72,8 +72,8 @@ class ShellWatch:
         zone = self.case.zone_at(height)
         if zone is None:
             return "in the mould"
-        sprayed = "failed" if zone in self.case.spray_failing else "sprayed"
-        return f"zone {zone} ({sprayed})"
+        failed = self.case.spray_failure is not None and zone in self.case.spray_failing
+        return f"zone {zone} ({'failed' if failed else 'sprayed'})"
 
     def _note_at(self, time: float, kind: str, height: float) -> None:
         self._once(time, kind, f"{kind} at {height:.3f} m, {self.zone_text(height)}")

@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.boundary import Inlet, LevelGauge, OscillatingMould, Outflow, Spray, SprayZone, SymmetryPlane
 from warpsph.device import Executor
-from warpsph.labels import Role
+from warpsph.labels import Phase, Role
 from warpsph.materials import COPPER, WATER, thesis_steel
 from warpsph.model import Conduction, Fluid, Model
 from warpsph.particles import Particles, lattice
@@ -56,6 +56,19 @@ def test_symmetry_plane_reflects(device):
     s = simulation.snapshot()
     assert s["position"][0] == pytest.approx([0.006, 0.002, 0.0], abs=1e-6)
     assert s["velocity"][0] == pytest.approx([0.5, 0.1, 0.0], abs=1e-6)
+
+
+def test_a_solid_slides_along_its_plane_of_symmetry(device):
+    """A shell whose edge leaves the plane lets melt through; its mirror image would hold it."""
+    particles = Particles()
+    particles.add(
+        np.array([[0.005, 0.0, 0.0], [0.015, 0.1, 0.0]]), Role.FREE, 0, 300.0, (0.5, 0.1, 0.0), phase=Phase.SOLID
+    )
+    simulation = simulation_of(device, particles, [SymmetryPlane((1.0, 0.0, 0.0), 0.0)])
+    simulation.run(0.02, 0.02)
+    s = simulation.snapshot()
+    assert s["position"] == pytest.approx(np.array([[0.005, 0.002, 0.0], [0.025, 0.102, 0.0]]), abs=1e-6)
+    assert s["velocity"] == pytest.approx(np.array([[0.0, 0.1, 0.0], [0.5, 0.1, 0.0]]), abs=1e-6)
 
 
 def nozzle_and_strand(device: str, reserve: int = 60, strand_rows: int = 4) -> Simulation:

@@ -13,6 +13,8 @@ from warpsph.particles import Particles
 class SymmetryPlane(BoundaryDevice):
     """A plane that lets nothing through and no heat: dummies behind it, and a mirror for what crosses it all the same.
 
+    The first layer of a solid at the plane can slide along it only.
+
     Args:
         normal: unit normal, pointing inside.
         offset: ``x . normal`` on the plane [m].
@@ -27,4 +29,5 @@ class SymmetryPlane(BoundaryDevice):
 
     def after_move(self, dt: float) -> None:
         s = self.state
-        reflect(self.launch, self.normal, self.offset, s.role, s.position, s.velocity)
+        reach = self.solver.model.spacing
+        reflect(self.launch, dt, self.normal, self.offset, reach, s.role, s.phase, s.position, s.velocity)
