@@ -14,11 +14,10 @@ from warpsph.case import preset_layer, resolve
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
 from warpsph.scenarios.breakout import HOLE, PUBLISHED_HOLE, Breakout
-from warpsph.scenarios.breakout_reckoning import remelting_delay, thinnest_shell
+from warpsph.scenarios.breakout_reckoning import LAYERS, remelting_delay, thinnest_shell
 from warpsph.simulation import Result
 
 CONDUCTANCES = np.arange(1300.0, 2001.0, 100.0)  # the usual range of moulds [W/(m^2 K)]
-LAYERS = 2.5  # layers of particles that the thinnest shell must have
 TRIAL_FAILURE = 2.0  # [s]
 
 

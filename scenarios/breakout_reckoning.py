@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from warpsph.scenarios.casting import Casting
 
 CELL = 2.0e-3  # [m]
+LAYERS = 2.5  # layers of particles that the thinnest shell must have to bear the melt between two rolls
 
 
 def shell_of_slice(case: "Casting", start: float | None, times: np.ndarray) -> np.ndarray:
