@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import matplotlib.pyplot as plt
+import numpy as np
 
 from warpsph.case import preset_layer, resolve
 from warpsph.pictures import render_still
@@ -12,6 +13,7 @@ from warpsph.scenarios.casting import Casting
 from warpsph.scenarios.casting_experiments import INLETS, mean_shell, whole_cycles
 
 DOTS_PER_INCH = 150
+PHASES = 20  # of a cycle of the mould
 
 
 def draw_inlets(results: list[ResultFile], picture: Path) -> None:
@@ -35,26 +37,28 @@ def draw_inlets(results: list[ResultFile], picture: Path) -> None:
 
 
 def draw_oscillation(result: ResultFile, picture: Path) -> None:
-    """Velocities of mould and shell, and the level, over two cycles."""
+    """Velocities of mould and shell, and the level, over a cycle: the mean of all whole cycles after the start."""
     case = resolve(Casting, [preset_layer(Casting, "oscillation")])
-    d = whole_cycles(result.diagnostics, case, settled=result.times[-1] - 2.0 / case.mould_frequency - 1e-6)
+    d = whole_cycles(result.diagnostics, case)
+    phase = np.floor(PHASES * ((d["time"] * case.mould_frequency) % 1.0) + 1e-9).astype(int) % PHASES
+    times = (np.arange(PHASES) + 0.5) / PHASES / case.mould_frequency
+
+    def folded(values: np.ndarray) -> np.ndarray:
+        trend = np.polyval(np.polyfit(d["time"], values, 1), d["time"]) - values.mean()
+        return np.bincount(phase, values - trend, PHASES) / np.bincount(phase, minlength=PHASES)
+
+    mould, shell = (1e3 * folded(d[name]) for name in ("mould_velocity", "shell_velocity"))
     drawing, (upper, lower) = plt.subplots(2, 1, figsize=(8, 5), sharex=True, layout="constrained")
-    upper.plot(d["time"], 1e3 * d["mould_velocity"], label="mould")
-    upper.plot(d["time"], 1e3 * d["shell_velocity"], label="skin of the shell")
-    upper.fill_between(
-        d["time"],
-        1e3 * d["mould_velocity"],
-        1e3 * d["shell_velocity"],
-        where=d["mould_velocity"] < d["shell_velocity"],
-        color="0.85",
-        label="negative strip",
-    )
+    upper.plot(times, mould, label="mould")
+    upper.plot(times, shell, label="skin of the shell")
+    upper.fill_between(times, mould, shell, where=mould < shell, color="0.85", label="negative strip", interpolate=True)
     upper.axhline(-1e3 * case.casting_speed, color="0.7", lw=1, ls=":")
     upper.set(ylabel="velocity [mm/s]")
-    upper.legend(frameon=False, ncols=3)
+    upper.legend(frameon=False, ncols=3, loc="upper center")
     for name in ("level", "meniscus"):
-        lower.plot(d["time"], 1e3 * (d[name] - d[name].mean()), label=name)
-    lower.set(xlabel="time [s]", ylabel="height less its mean [mm]")
+        values = folded(d[name])
+        lower.plot(times, 1e3 * (values - values.mean()), label=name)
+    lower.set(xlabel="time since the mould passed its middle upwards [s]", ylabel="height less its mean [mm]")
     lower.legend(frameon=False, ncols=2)
     _save(drawing, picture)
 

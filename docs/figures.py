@@ -137,9 +137,10 @@ def casting_billet_open(picture: Path) -> None:
 
 @figure
 def breakout(picture: Path) -> None:
-    """The strand when the program noted thinning, hole and outflow, and at the end of the thesis's series."""
+    """The strand when the sprays fail, when the program noted thinning and hole, and half a second and more later."""
     result = simulated("breakout", "coarse")
-    render_series(result, picture, [*event_times(result), 15.0, 18.0])
+    thinning, hole, _ = event_times(result)
+    render_series(result, picture, [result.parameters["spray_failure"], thinning, hole, hole + 0.5, hole + 2.5])
 
 
 @figure

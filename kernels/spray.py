@@ -80,9 +80,12 @@ def _emit(
             place = next_parked(exchange, place, end)
             if place < end:
                 sprayed[zone] += 1
-                turn = wp.float64(sprayed[zone]) * GOLDEN_RATIO
+                count = sprayed[zone]
+                if water.breadth > 0.0:
+                    count = sprayed[zone] / 2  # the faces take turns
+                turn = wp.float64(count) * GOLDEN_RATIO
                 height = zones.low[zone] + float(turn - wp.floor(turn)) * (zones.high[zone] - zones.low[zone])
-                turn = wp.float64(sprayed[zone]) * PLASTIC_RATIO
+                turn = wp.float64(count) * PLASTIC_RATIO
                 across = float(turn - wp.floor(turn)) * water.breadth
                 x = wp.vec3(water.nozzle, height, across)
                 if water.breadth > 0.0 and sprayed[zone] % 2 == 0:

@@ -19,13 +19,17 @@ from warpsph.simulation import Result
 
 CONDUCTANCES = np.arange(1300.0, 2001.0, 100.0)  # the usual range of moulds [W/(m^2 K)]
 TRIAL_FAILURE = 2.0  # [s]
+RESULTS = Path("results")
 
 
 def run(case: Breakout, title: str) -> Result:
-    """Simulate with a progress bar and print what happened."""
+    """Simulate with a progress bar, keep the result file, and print what happened."""
+    RESULTS.mkdir(exist_ok=True)
+    output = RESULTS / f"breakout-{1e3 * case.spacing:.3g}mm-{title.replace(' ', '-')}.vtkhdf"
     with shown_progress(title, error_console()) as progress:
-        result = case.run(progress=progress)
-    print(f"{title}: " + ("; ".join(f"{time:.2f} s {text}" for time, text in result.events) or "nothing happened"))
+        result = case.run(progress=progress, output=output, overwrite=True, parameters=case.as_dict())
+    events = "; ".join(f"{time:.2f} s {text}" for time, text in result.events) or "nothing happened"
+    print(f"{title}: {events} ({output})", flush=True)
     return result
 
 
@@ -34,18 +38,18 @@ def choose_conductance(case: Breakout) -> Breakout:
     for conductance in CONDUCTANCES:
         held = case.model_copy(update={"mould_conductance": float(conductance), "spray_failing": ()})
         thinnest = thinnest_shell(held)
-        print(f"conductance {conductance:.0f} W/(m^2 K): thinnest shell {1e3 * thinnest:.1f} mm by 1-D conduction")
+        print(f"{conductance:.0f} W/(m^2 K): thinnest shell {1e3 * thinnest:.1f} mm by 1-D conduction", flush=True)
         if thinnest < LAYERS * case.spacing:
             continue
-        if not np.any(run(held, f"control, {conductance:.0f} W/(m^2 K)").diagnostics["hole_height"]):
+        if not run(held, f"control {conductance:.0f}").events:
             return case.model_copy(update={"mould_conductance": float(conductance)})
     sys.exit("no conductance of the usual range holds the strand: pour less hot, or give more water")
 
 
 def choose_failure(case: Breakout) -> Breakout:
     """The case with the time of failure that makes the hole come at the published time."""
-    print(f"remelting without water, by 1-D conduction: {remelting_delay(case):.1f} s")
-    events = run(case.model_copy(update={"spray_failure": TRIAL_FAILURE}), "early failure").events
+    print(f"remelting without water, by 1-D conduction: {remelting_delay(case):.1f} s", flush=True)
+    events = run(case.model_copy(update={"spray_failure": TRIAL_FAILURE}), "failure early").events
     hole = next((time for time, text in events if HOLE in text), None)
     if hole is None:
         sys.exit("the shell bears the failure: pour hotter")
@@ -58,7 +62,7 @@ def main(presets: list[str]) -> None:
     """Calibrate the presets named, or all, and write what was found into their files."""
     for preset in presets or Breakout.presets:
         case = choose_failure(choose_conductance(resolve(Breakout, [preset_layer(Breakout, preset)])))
-        run(case, "with the failure set")
+        run(case, "failure set")
         path = Path(__file__).parent / "cases" / "breakout" / f"{preset}.toml"
         path.write_text(
             f"# {1e3 * case.spacing:g} mm spacing; the last two lines are what the calibration found.\n"
