@@ -33,11 +33,12 @@ def inlet_checks(kind: type["Casting"], simulate: Callable[["Casting"], "Result"
             0.9, "Vijaykumar (2012), figure 7.1: at least a tenth thinner", relative=False,
             reason="the jet brings its superheat there",
         )  # fmt: skip
-        lack = elsewhere - shell
+        loss = np.diff(shell)  # from each height to the one below, where the shell is a little older
+        fastest = int(np.argmax(loss))
         yield Check(
-            kind.name, f"jet at {jet:g} m: height at which the shell lacks most", "m", float(heights[np.argmax(lack)]),
-            jet, 0.08, "Vijaykumar (2012), section 7.2", relative=False,
-            reason="the shell sinks by a centimetre a second while it melts, and so does the melt",
+            kind.name, f"jet at {jet:g} m: height at which the shell melts back fastest", "m",
+            float(0.5 * (heights[fastest] + heights[fastest + 1])), jet, 0.04, "Vijaykumar (2012), section 7.2",
+            relative=False, reason="heights of the profile are 2 cm apart, and the melt sinks on its way to the shell",
         )  # fmt: skip
         yield Check(
             kind.name, f"enthalpy ledger, jet at {jet:g} m", "", float(np.max(np.abs(run["ledger_error"]))), None, 1e-3,
