@@ -1,5 +1,6 @@
 """``warpsph run``: which values win, what is written, how it ends."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ def test_default_preset_and_default_output(warpsph_command):
     assert result.parameters["scenario"] == "ingot"
     assert (result.parameters["count"], result.parameters["duration"]) == (2, 0.5)
     assert "level" in outcome.output
+    assert re.search(r"at 0\.5 s +the last drop froze", outcome.output)
     assert "warpsph render results/ingot-small.vtkhdf" in outcome.output
 
 

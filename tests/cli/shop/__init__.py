@@ -37,11 +37,12 @@ class FakeSimulation:
                 writer.write_diagnostics(now, {"level": 0.4, "profile": np.arange(3.0)})
                 if progress:
                     progress(SimpleNamespace(**_progress(now, duration)))
-            writer.write_event(times[-1], "the last drop froze")
+            events = [(float(times[-1]), "the last drop froze")]
+            writer.write_event(*events[0])
             writer.finish(status=status, steps=len(times))
         if self.ending == "diverge":
             raise DivergenceError("particle 7 at (0.1, 0.2, 0) m: speed 1e9 m/s at 0.5 s")
-        return SimpleNamespace(status=status, time=float(times[-1]), summary={"level": "0.400 m"})
+        return SimpleNamespace(status=status, time=float(times[-1]), summary={"level": "0.400 m"}, events=events)
 
 
 class Ingot(Scenario):
