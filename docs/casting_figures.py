@@ -76,7 +76,8 @@ def draw_breakout_shell(failed: ResultFile, control: ResultFile, case: Breakout,
         for time, text in result.events:
             panel.axvline(time, color="w", lw=1, ls="--")
             short = next((word for word in (THINS, HOLE, OUTFLOW) if word in text), "sprays fail")
-            panel.text(time, 0.43, short, color="w", rotation=90, ha="right", va="top", fontsize=8)
+            side = "left" if short == OUTFLOW else "right"
+            panel.text(time, 0.43, short, color="w", rotation=90, ha=side, va="top", fontsize=8)
     axes[0].set(ylabel="height [m]")
     drawing.colorbar(image, label="shell thickness [mm]")
     _save(drawing, picture)

@@ -14,6 +14,7 @@ from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError
 from warpsph.scenario import Scenario
 from warpsph.scenarios import Casting, Hydrostatic
+from warpsph.scenarios.casting_experiments import lower_mould_shell
 from warpsph.simulation import Result
 
 TABLES = Path(__file__).parent / "tables"
@@ -51,11 +52,10 @@ def column_row(case: Hydrostatic, result: Result) -> Row:
 
 def strand_row(case: Casting, result: Result) -> Row:
     """What the study asks of the casting machine, over the second half of the run."""
-    d, heights = result.diagnostics, result.diagnostics["height"][0]
+    d = result.diagnostics
     late = d["time"] > 0.5 * d["time"][-1]
-    lower_mould = (heights > case.mould_bottom) & (heights < 0.5 * (case.mould_bottom + case.level))
     return {
-        "shell, lower half of the mould": f"{1e3 * np.mean(d['shell_thickness'][late][:, lower_mould]):.2f} mm",
+        "shell, lower half of the mould": f"{1e3 * lower_mould_shell(case, d):.2f} mm",
         "level": f"{np.mean(d['level'][late]):.4f} m",
         "highest density": f"{np.max(d['density_max'][late]) / case.density - 1.0:+.1%}",
         "highest speed": f"{np.max(d['highest_speed'][late]):.2f} m/s",

@@ -15,7 +15,7 @@ from warpsph.materials import COPPER, WATER, Material, inert, thesis_steel
 from warpsph.model import Conduction, Elasticity, Fluid, Model, PhaseChange
 from warpsph.scenario import Scenario, parameter
 from warpsph.scenarios.casting_checks import casting_checks
-from warpsph.scenarios.casting_experiments import INLETS, inlet_checks, oscillation_checks
+from warpsph.scenarios.casting_experiments import INLETS, inlet_checks, oscillation_checks, parameter_checks
 from warpsph.scenarios.casting_machine import (
     COOLING_WATER,
     MOULD,
@@ -234,6 +234,7 @@ class Casting(Scenario):
         if slow:
             yield from inlet_checks(cls, simulate)
             yield from oscillation_checks(cls, simulate)
+            yield from parameter_checks(cls, simulate)
 
     def checks(self, result: Result) -> list[Check]:
         return casting_checks(self, result)

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from warpsph.scenarios.casting import Casting
     from warpsph.simulation import Result
 
+NUMERICS = ({"support_ratio": 3.0}, {"sound_speed": 7.0}, {"viscosity": 30.0}, {"step_factor": 2.0})
 INLETS = ("inlet_high", "inlet_middle", "inlet_low")
 Diagnostics = dict[str, np.ndarray]
 
@@ -78,6 +79,28 @@ def oscillation_checks(kind: type["Casting"], simulate: Callable[["Casting"], "R
         kind.name, "enthalpy ledger, oscillating mould that drags", "", float(np.max(np.abs(moving["ledger_error"]))),
         None, 1e-3, "conservation of energy", reason="single precision, pairwise antisymmetric conduction",
     )  # fmt: skip
+
+
+def parameter_checks(kind: type["Casting"], simulate: Callable[["Casting"], "Result"]) -> Iterable[Check]:
+    """The shell does not depend on numerical parameters, as long as they are stable."""
+    base = kind(duration=3.0, output_interval=0.25)
+    usual = lower_mould_shell(base, simulate(base).diagnostics)
+    for change in NUMERICS:
+        case = base.model_copy(update=change)
+        name, value = next(iter(change.items()))
+        yield Check(
+            kind.name, f"shell, lower half of the mould, {name} {value:g}", "m",
+            lower_mould_shell(case, simulate(case).diagnostics), usual, 0.05,
+            "the same with the defaults; parameters of Vijaykumar (2012), section 7.5",
+            reason="a few particles that freeze sooner or later, in a shell of three layers",
+        )  # fmt: skip
+
+
+def lower_mould_shell(case: "Casting", run: Diagnostics) -> float:
+    """Mean thickness of the shell [m] in the lower half of the mould over the second half of a run."""
+    heights, late = run["height"][0], run["time"] > 0.5 * run["time"][-1]
+    lower_mould = (heights > case.mould_bottom) & (heights < 0.5 * (case.mould_bottom + case.level))
+    return float(np.mean(run["shell_thickness"][late][:, lower_mould]))
 
 
 def whole_cycles(run: Diagnostics, case: "Casting", settled: float = 2.0) -> Diagnostics:
