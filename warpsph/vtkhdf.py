@@ -12,6 +12,7 @@ ROOT = "VTKHDF"
 TOPOLOGIES = ("Vertices", "Lines", "Polygons", "Strips")
 PARTICLES_PER_CHUNK = 16384
 STEPS_PER_CHUNK = 256
+TIMES_PER_CHUNK = 4096
 
 
 def extendable(group: h5py.Group, name: str, tail: tuple[int, ...], dtype, rows_per_chunk: int) -> None:
@@ -51,7 +52,7 @@ def create_layout(file: h5py.File) -> None:
         extendable(group, "Connectivity", (), "i8", rows_per_chunk)
     steps = root.create_group("Steps")
     steps.attrs["NSteps"] = np.int64(0)
-    extendable(steps, "Values", (), "f8", STEPS_PER_CHUNK)
+    extendable(steps, "Values", (), "f8", TIMES_PER_CHUNK)
     for name in ("PartOffsets", "NumberOfParts", "PointOffsets"):
         extendable(steps, name, (), "i8", STEPS_PER_CHUNK)
     for name in ("CellOffsets", "ConnectivityIdOffsets"):
@@ -60,7 +61,7 @@ def create_layout(file: h5py.File) -> None:
 
 
 def append_step(file: h5py.File, time: float, points: np.ndarray, fields: dict[str, np.ndarray]) -> None:
-    """Add one step: first the data and the counts, and only when they are on the disk :func:`commit` ``NSteps``.
+    """Add one step: the data and the counts; when they are on the disk, ``NSteps``; and at the very end its time.
 
     Args:
         points: (n, 3) float32 [m].
@@ -93,8 +94,9 @@ def append_step(file: h5py.File, time: float, points: np.ndarray, fields: dict[s
     put(steps["PointOffsets"], step, [first])
     put(steps["CellOffsets"], step, [[first_cell, 0, 0, 0]])
     put(steps["ConnectivityIdOffsets"], step, [[first, 0, 0, 0]])
-    put(steps["Values"], step, [time])
     commit(steps, "NSteps", step + 1)
+    put(steps["Values"], step, [time])  # last: VTK crashes on more times than NSteps, and bears fewer
+    file.flush()
 
 
 def commit(group: h5py.Group, counter: str, count: int) -> None:

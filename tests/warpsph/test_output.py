@@ -193,6 +193,18 @@ with ResultWriter(sys.argv[1], {"scenario": "killed"}, {}) as writer:
             print("writing", flush=True)
 """
 
+# In a process of its own: VTK crashes on what it does not understand.
+READ_BY_VTK = """
+import sys
+import pyvista
+
+reader = pyvista.get_reader(sys.argv[1])
+step, count = map(int, sys.argv[2:])
+reader.reader.SetStep(step)
+points = reader.read().points
+sys.exit(int(points.shape != (count, 3) or (points != step).any()))
+"""
+
 
 @pytest.mark.parametrize(("count", "wait"), [(3, 0.05), (20_000, 0.1), (20_000, 0.23), (300_000, 0.17)])
 def test_killed_run_leaves_a_readable_file(tmp_path, count, wait):
@@ -218,9 +230,8 @@ def test_killed_run_leaves_a_readable_file(tmp_path, count, wait):
         assert np.all(fields["velocity"] == step)
     assert np.all(result.diagnostics["level"] == result.diagnostics["time"])
     assert len(result.events) >= 6
-    reader = pyvista.get_reader(path)
-    reader.reader.SetStep(len(result.times) - 1)
-    np.testing.assert_array_equal(reader.read().points, result.frame(-1)[0])
+    last = len(result.times) - 1
+    subprocess.run([sys.executable, "-c", READ_BY_VTK, path, str(last), str(count + last % 7)], check=True)
 
 
 def test_steps_that_are_not_whole_are_left_out(path):
