@@ -5,12 +5,12 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 
-from warpsph.case import preset_layer, resolve
+from warpsph.cases.case import preset_layer, resolve
+from warpsph.files.results import ResultFile
 from warpsph.pictures import render_still
-from warpsph.results import ResultFile
-from warpsph.scenarios.breakout import HOLE, OUTFLOW, THINS, Breakout
-from warpsph.scenarios.casting import Casting
-from warpsph.scenarios.casting_experiments import INLETS, mean_shell, whole_cycles
+from warpsph.scenarios.breakout.breakout import HOLE, OUTFLOW, THINS, Breakout
+from warpsph.scenarios.casting.casting import Casting
+from warpsph.scenarios.casting.experiments import INLETS, mean_shell, whole_cycles
 
 DOTS_PER_INCH = 150
 PHASES = 20  # of a cycle of the mould

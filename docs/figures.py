@@ -13,21 +13,21 @@ import numpy as np
 from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
 from matplotlib.colors import LogNorm
 
-from warpsph.case import preset_layer, resolve, settings_layer
+from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
-from warpsph.device import Executor
-from warpsph.labels import Role
+from warpsph.core.executor import Executor
+from warpsph.core.labels import Role
+from warpsph.files.results import ResultFile
 from warpsph.nearest import did_you_mean
 from warpsph.pictures import plot_diagnostics, render_series, render_still
-from warpsph.results import ResultFile
-from warpsph.scenarios.cantilever import period, spectral_elements
-from warpsph.scenarios.casting_experiments import INLETS
-from warpsph.scenarios.dam_break import published_front
-from warpsph.scenarios.drop_shape import swing_of
+from warpsph.scenarios.casting.experiments import INLETS
+from warpsph.scenarios.casting.travelling_slice import shell_thickness
+from warpsph.scenarios.elastic.cantilever import period, spectral_elements
+from warpsph.scenarios.flow.dam_break import published_front
+from warpsph.scenarios.flow.drop_shape import swing_of
 from warpsph.scenarios.neighbour_search import as_matrix
-from warpsph.scenarios.travelling_slice import shell_thickness
 
 matplotlib.use("Agg")
 

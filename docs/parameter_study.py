@@ -9,13 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
+from warpsph.cases.scenario import Scenario
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError
-from warpsph.scenario import Scenario
+from warpsph.run.simulation import Result
 from warpsph.scenarios import Casting, Hydrostatic
-from warpsph.scenarios.casting_experiments import lower_mould_shell
-from warpsph.simulation import Result
+from warpsph.scenarios.casting.experiments import lower_mould_shell
 
 TABLES = Path(__file__).parent / "tables"
 COLUMN = {"rows": 80, "columns": 40}

@@ -1,16 +1,16 @@
 """What is simulated: one file per case. Importing this package registers them all."""
 
-from warpsph.scenarios.breakout import Breakout
-from warpsph.scenarios.cantilever import Cantilever
-from warpsph.scenarios.casting import Casting
+from warpsph.scenarios.breakout.breakout import Breakout
+from warpsph.scenarios.casting.casting import Casting
 from warpsph.scenarios.compensated_drift import CompensatedDrift
-from warpsph.scenarios.dam_break import DamBreak
-from warpsph.scenarios.drop import Drop
-from warpsph.scenarios.heat_gaussian import HeatGaussian
-from warpsph.scenarios.hydrostatic import Hydrostatic
+from warpsph.scenarios.conduction.heat_gaussian import HeatGaussian
+from warpsph.scenarios.elastic.cantilever import Cantilever
+from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
+from warpsph.scenarios.elastic.rubber_rings import RubberRings
+from warpsph.scenarios.flow.dam_break import DamBreak
+from warpsph.scenarios.flow.drop import Drop
+from warpsph.scenarios.flow.hydrostatic import Hydrostatic
 from warpsph.scenarios.neighbour_search import NeighbourSearch
-from warpsph.scenarios.rotated_disc import RotatedDisc
-from warpsph.scenarios.rubber_rings import RubberRings
 
 __all__ = [
     "Breakout",

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from warpsph.check import Check
-from warpsph.device import Executor
-from warpsph.labels import Role
-from warpsph.materials import inert
-from warpsph.model import Model
-from warpsph.particles import Particles
-from warpsph.scenario import Scenario, parameter
-from warpsph.simulation import Result, Simulation
+from warpsph.cases.check import Check
+from warpsph.cases.scenario import Scenario, parameter
+from warpsph.core.executor import Executor
+from warpsph.core.labels import Role
+from warpsph.core.materials import inert
+from warpsph.core.model import Model
+from warpsph.core.particles import Particles
+from warpsph.run.simulation import Result, Simulation
 
 
 class CompensatedDrift(Scenario):

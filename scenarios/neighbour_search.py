@@ -5,15 +5,15 @@ from typing import Literal
 
 import numpy as np
 
-from warpsph.check import Check
-from warpsph.device import Executor
-from warpsph.kernels.pairs import NeighbourList
-from warpsph.labels import Role
-from warpsph.materials import inert
-from warpsph.model import Model
-from warpsph.particles import Particles, lattice
-from warpsph.scenario import Scenario, parameter
-from warpsph.simulation import Result, Simulation
+from warpsph.cases.check import Check
+from warpsph.cases.scenario import Scenario, parameter
+from warpsph.core.executor import Executor
+from warpsph.core.labels import Role
+from warpsph.core.materials import inert
+from warpsph.core.model import Model
+from warpsph.core.particles import Particles, lattice
+from warpsph.kernels.neighbours.pairs import NeighbourList
+from warpsph.run.simulation import Result, Simulation
 
 SPACING = 0.01  # [m]
 

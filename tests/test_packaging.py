@@ -48,7 +48,7 @@ def test_wheel_works_away_from_the_checkout(wheel: Path, tmp_path: Path):
     program = (
         "import sys; sys.path.insert(0, 'there');"
         "import warpsph, warpsph.kernels, warpsph.scenarios, warpsph.cli as cli;"
-        "from warpsph.scenario import registered_scenarios as scenarios;"
+        "from warpsph.cases.scenario import registered_scenarios as scenarios;"
         "modules = [warpsph, warpsph.kernels, warpsph.scenarios, cli];"
         "print(*(module.__file__ for module in modules), sep='\\n');"
         "codes = [cli.main(['describe', name]) for name in scenarios()];"

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from warpsph.scenarios.casting import Casting
+from warpsph.scenarios.casting.casting import Casting
 
 pytestmark = pytest.mark.slow
 

@@ -2,9 +2,9 @@
 
 from importlib import import_module
 
+from warpsph.cases.scenario import Scenario, registered_scenarios
 from warpsph.errors import InputError
 from warpsph.nearest import did_you_mean
-from warpsph.scenario import Scenario, registered_scenarios
 
 
 def all_scenarios() -> dict[str, type[Scenario]]:

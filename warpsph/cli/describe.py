@@ -6,10 +6,10 @@ from pydantic.fields import FieldInfo
 from rich.table import Table
 from rich.text import Text
 
-from warpsph.case import preset_layer
+from warpsph.cases.case import preset_layer
+from warpsph.cases.scenario import Scenario
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import output_console
-from warpsph.scenario import Scenario
 
 _BOUNDS = {"gt": ">", "ge": ">=", "lt": "<", "le": "<="}
 

@@ -8,7 +8,7 @@ from rich.text import Text
 
 from warpsph.cli.consoles import output_console
 from warpsph.cli.describe import show_value
-from warpsph.results import ResultFile
+from warpsph.files.results import ResultFile
 
 
 def info(file: Path, /) -> None:

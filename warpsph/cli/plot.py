@@ -5,7 +5,7 @@ from pathlib import Path
 from rich.text import Text
 
 from warpsph.cli.consoles import output_console
-from warpsph.results import ResultFile
+from warpsph.files.results import ResultFile
 
 
 def plot(file: Path, /) -> None:

@@ -11,7 +11,7 @@ from rich.progress import BarColumn, SpinnerColumn, TaskProgressColumn, TextColu
 from rich.progress import Progress as Bars
 
 if TYPE_CHECKING:
-    from warpsph.progress import Progress
+    from warpsph.run.progress import Progress
 
 PLAIN_INTERVAL = 5.0  # s between two lines
 
@@ -20,7 +20,7 @@ Report = Callable[["Progress"], None]
 
 @contextmanager
 def shown_progress(title: str, console: Console) -> Iterator[Report]:
-    """Yield a function that shows a :class:`warpsph.simulation.Progress`."""
+    """Yield a function that shows a :class:`warpsph.run.simulation.Progress`."""
     if console.is_terminal:
         with _bars(console) as bars:
             task = bars.add_task(title, total=None, status="preparing; the first run compiles its kernels")

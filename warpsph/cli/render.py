@@ -9,7 +9,7 @@ from rich.text import Text
 
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.errors import InputError
-from warpsph.results import ResultFile
+from warpsph.files.results import ResultFile
 
 
 def render(

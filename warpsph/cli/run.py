@@ -10,15 +10,15 @@ from cyclopts.validators import Number
 from rich.table import Table
 from rich.text import Text
 
-from warpsph.case import Layer, file_layer, preset_layer, resolve, settings_layer
+from warpsph.cases.case import Layer, file_layer, preset_layer, resolve, settings_layer
+from warpsph.cases.scenario import Scenario
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError, InputError
-from warpsph.scenario import Scenario
 
 if TYPE_CHECKING:
-    from warpsph.simulation import Result
+    from warpsph.run.simulation import Result
 
 RESULTS = Path("results")
 
@@ -115,7 +115,7 @@ def _target(output: Path | None, default_stem: str) -> Path:
 def _simulate(
     scenario: Scenario, device: str, threads: int | None, path: Path, overwrite: bool, quiet: bool
 ) -> "Result":
-    from warpsph.device import Executor
+    from warpsph.core.executor import Executor
 
     with nullcontext() if quiet else shown_progress(scenario.name, error_console()) as report:
         simulation = scenario.build(Executor(device, threads))

@@ -6,16 +6,16 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 from rich.text import Text
 
-from warpsph.check import Check
+from warpsph.cases.check import Check
+from warpsph.cases.report import check_table, check_writable, write_json
+from warpsph.cases.scenario import Scenario
 from warpsph.cli.catalogue import all_scenarios, find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError
-from warpsph.report import check_table, check_writable, write_json
-from warpsph.scenario import Scenario
 
 if TYPE_CHECKING:
-    from warpsph.simulation import Result
+    from warpsph.run.simulation import Result
 
 
 def verify(

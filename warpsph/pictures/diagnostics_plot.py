@@ -8,10 +8,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from warpsph.errors import InputError
+from warpsph.files.results import ResultFile
 from warpsph.pictures.drawing import check_output
 from warpsph.pictures.quantities import DIAGNOSTICS, Quantity, quantity
 from warpsph.pictures.sheet import INK, PALE_INK, STILL_SUFFIXES, save
-from warpsph.results import ResultFile
 
 # what is compared in one panel
 TOGETHER = {

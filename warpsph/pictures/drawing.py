@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 
 from warpsph.errors import InputError
+from warpsph.files.results import ResultFile
 from warpsph.pictures import graphics
 from warpsph.pictures.looks import choose_look
 from warpsph.pictures.sheet import Sheet
 from warpsph.pictures.view import make_view
-from warpsph.results import ResultFile
 
 SURVEYED_FRAMES = 9
 

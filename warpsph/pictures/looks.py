@@ -8,11 +8,11 @@ from matplotlib import colormaps
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize, TwoSlopeNorm, to_rgb
 
-from warpsph.labels import Phase, Role
+from warpsph.core.labels import Phase, Role
+from warpsph.files.results import ResultFile
 from warpsph.pictures.palette import MATERIAL_COLOURS, PHASE_COLOURS, ROLE_COLOURS, UNKNOWN, shell_and_melt
 from warpsph.pictures.quantities import FIELDS, quantity, values_of
 from warpsph.pictures.scales import colour_range, ticks_around
-from warpsph.results import ResultFile
 
 BESIDE_THE_FLUID = (Role.WALL, Role.DUMMY, Role.SPRAY)
 ROLE_NAMES = {

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 
 from warpsph.errors import InputError
+from warpsph.files.results import ResultFile
 from warpsph.pictures.drawing import SURVEYED_FRAMES, Drawing, check_output
-from warpsph.results import ResultFile
 
 DOTS_PER_INCH = 140
 LONG_SIDE = 7.2  # inches

@@ -4,7 +4,7 @@ from functools import cache
 
 from matplotlib.colors import Colormap, LinearSegmentedColormap
 
-from warpsph.labels import Phase, Role
+from warpsph.core.labels import Phase, Role
 
 ROLE_COLOURS = {
     Role.FREE: "#f28e2b",

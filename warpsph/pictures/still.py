@@ -3,9 +3,9 @@
 from pathlib import Path
 
 from warpsph.errors import InputError
+from warpsph.files.results import ResultFile
 from warpsph.pictures.drawing import Cut, Drawing, check_output
 from warpsph.pictures.sheet import STILL_SUFFIXES
-from warpsph.results import ResultFile
 
 DOTS_PER_INCH = 200
 LONG_SIDE, LONG_SIDE_IN_SERIES = 7.2, 5.4  # inches

@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsph.labels import Role
+from warpsph.core.labels import Role
+from warpsph.files.results import ResultFile
 from warpsph.pictures.looks import Frames
-from warpsph.results import ResultFile
 
 DIRECTION = np.array([0.75, 0.5, 1.0]) / np.linalg.norm([0.75, 0.5, 1.0])
 UP = np.array([0.0, 1.0, 0.0])

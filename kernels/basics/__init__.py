@@ -1,0 +1,1 @@
+"""Smoothing kernels, compensated sums, labels, motion, and the barrier of the CPU's threads."""

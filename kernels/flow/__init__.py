@@ -1,0 +1,1 @@
+"""Density, pressure, forces and surface tension of the fluid."""

@@ -1,0 +1,1 @@
+"""Conduction, and the switch of phase."""

@@ -1,0 +1,173 @@
+"""Heat conduction between particles, and the enthalpy and temperature that follow."""
+
+import warp as wp
+
+from warpsph.kernels.basics.compensation import compensated_sum
+from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.basics.smoothing import poly6_slope
+from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+
+wp.set_module_options({"enable_backward": False, "fast_math": False})
+
+
+@wp.struct
+class ThermalTable:
+    """Per material: enthalpy curve, melting range and conductivities; per pair of materials: contact conductivity.
+
+    ``enthalpy`` [J/kg] and ``temperature`` [K] (materials, nodes), both rising; ``solidus``, ``liquidus`` [K],
+    ``conductivity_solid``, ``conductivity_liquid`` [W/(m K)] (materials,); ``contact`` (materials, materials)
+    [W/(m K)], the conductivity of a pair, or negative for the harmonic mean of the two particles.
+    """
+
+    enthalpy: wp.array2d[float]
+    temperature: wp.array2d[float]
+    solidus: wp.array[float]
+    liquidus: wp.array[float]
+    conductivity_solid: wp.array[float]
+    conductivity_liquid: wp.array[float]
+    contact: wp.array2d[float]
+
+
+@wp.kernel
+def _sum_heat(
+    first: int,
+    table: ThermalTable,
+    neighbours: NeighbourList,
+    support: float,
+    scale: float,
+    position: wp.array[wp.vec3],
+    role: wp.array[int],
+    temperature: wp.array[float],
+    conductivity: wp.array[float],
+    thermal_volume: wp.array[float],
+    material: wp.array[int],
+    heat_rate: wp.array[float],
+):
+    i = wp.tid() + first
+    x_i = position[i]
+    T_i = temperature[i]
+    k_i = conductivity[i]
+    total = float(0.0)
+    for k in range(neighbours.count[i]):
+        j = index_of(entry_of(neighbours, i, k))
+        if role[j] != Role.RESERVOIR:
+            d = x_i - position[j]
+            k_j = conductivity[j]
+            k_pair = table.contact[material[i], material[j]]
+            if k_pair < 0.0:
+                k_pair = 2.0 * k_i * k_j / (k_i + k_j + 1.0e-30)
+            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(wp.dot(d, d), support)
+    heat_rate[i] = 2.0 * scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass
+
+
+@wp.func
+def temperature_of(table: ThermalTable, material: int, enthalpy: float) -> float:
+    segment = int(0)
+    last = table.enthalpy.shape[1] - 2
+    while segment < last and enthalpy > table.enthalpy[material, segment + 1]:
+        segment += 1
+    low = table.enthalpy[material, segment]
+    T_low = table.temperature[material, segment]
+    slope = (table.temperature[material, segment + 1] - T_low) / (table.enthalpy[material, segment + 1] - low)
+    return T_low + slope * (enthalpy - low)
+
+
+@wp.kernel
+def _add_heat(
+    first: int,
+    dt: float,
+    role: wp.array[int],
+    heat_rate: wp.array[float],
+    mass: wp.array[float],
+    held: wp.array[int],
+    enthalpy: wp.array[float],
+    enthalpy_carry: wp.array[float],
+    heat_held: wp.array[wp.float64],
+):
+    i = wp.tid() + first
+    if role[i] != Role.RESERVOIR:
+        if held[i] != 0:
+            heat_held[i] += wp.float64(heat_rate[i] * dt)
+        else:
+            h, carry = compensated_sum(enthalpy[i], heat_rate[i] * dt / mass[i], enthalpy_carry[i])
+            enthalpy[i] = h
+            enthalpy_carry[i] = carry
+
+
+@wp.kernel
+def _update_temperature(
+    first: int,
+    table: ThermalTable,
+    material: wp.array[int],
+    enthalpy: wp.array[float],
+    temperature: wp.array[float],
+    solid_fraction: wp.array[float],
+    conductivity: wp.array[float],
+):
+    i = wp.tid() + first
+    m = material[i]
+    T = temperature_of(table, m, enthalpy[i])
+    solid = wp.clamp((table.liquidus[m] - T) / (table.liquidus[m] - table.solidus[m]), 0.0, 1.0)
+    temperature[i] = T
+    solid_fraction[i] = solid
+    conductivity[i] = solid * table.conductivity_solid[m] + (1.0 - solid) * table.conductivity_liquid[m]
+
+
+def sum_heat(
+    launch,
+    table,
+    neighbours,
+    support,
+    scale,
+    position,
+    role,
+    temperature,
+    conductivity,
+    thermal_volume,
+    material,
+    heat_rate,
+) -> None:
+    """Write the heat that flows into each particle, ``heat_rate`` (n,) [W] (per metre of depth in 2D).
+
+    Vijaykumar (2012), equation (3.2), with the harmonic mean of the conductivities [W/(m K)]; antisymmetric in each
+    pair, so that no heat is lost. ``thermal_volume`` (n,) is the mass over the material's density; ``scale`` is the
+    normalisation of the smoothing kernel.
+    """
+    launch(
+        _sum_heat,
+        position.shape[0],
+        [
+            table,
+            neighbours,
+            support,
+            scale,
+            position,
+            role,
+            temperature,
+            conductivity,
+            thermal_volume,
+            material,
+            heat_rate,
+        ],
+    )
+
+
+def add_heat(launch, dt, role, heat_rate, mass, held, enthalpy, enthalpy_carry, heat_held) -> None:
+    """Add the heat of ``dt`` [s] to the enthalpy (n,) [J/kg], compensated.
+
+    Where ``held`` is not zero the temperature stays and the heat goes to ``heat_held`` (n,) [J] (float64) instead.
+    """
+    launch(_add_heat, role.shape[0], [dt, role, heat_rate, mass, held, enthalpy, enthalpy_carry, heat_held])
+
+
+def update_temperature(launch, table, material, enthalpy, temperature, solid_fraction, conductivity) -> None:
+    """Write temperature [K], solid fraction and conductivity [W/(m K)] (n,) from the enthalpy [J/kg].
+
+    Temperature is piecewise linear in enthalpy (Vijaykumar 2012, figure 3.1); the solid fraction falls linearly from
+    solidus to liquidus.
+    """
+    launch(
+        _update_temperature,
+        material.shape[0],
+        [table, material, enthalpy, temperature, solid_fraction, conductivity],
+    )

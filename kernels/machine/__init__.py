@@ -1,0 +1,1 @@
+"""What the parts of a casting machine do to particles."""

@@ -1,0 +1,1 @@
+"""Cells, sorting, and the lists of neighbours."""

@@ -1,0 +1,65 @@
+"""Filling the neighbour list from sorted cells, and deciding when it has become too old."""
+
+import warp as wp
+
+from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.neighbours.cells import Grid, cell_of
+from warpsph.kernels.neighbours.pairs import NeighbourList
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.kernel
+def _list_neighbours(
+    first: int,
+    grid: Grid,
+    start: wp.array[int],
+    position: wp.array[wp.vec3],
+    role: wp.array[int],
+    radius: float,
+    neighbours: NeighbourList,
+    longest_row: wp.array[int],
+):
+    i = wp.tid() + first
+    n = int(0)
+    if role[i] != Role.RESERVOIR:
+        x_i = position[i]
+        c = cell_of(grid, x_i)
+        low = wp.max(c[0] - 1, 0)
+        high = wp.min(c[0] + 1, grid.nx - 1)
+        for z in range(wp.max(c[2] - 1, 0), wp.min(c[2] + 2, grid.nz)):
+            for y in range(wp.max(c[1] - 1, 0), wp.min(c[1] + 2, grid.ny)):
+                row = (z * grid.ny + y) * grid.nx
+                for j in range(start[row + low], start[row + high + 1]):
+                    d = x_i - position[j]
+                    if (
+                        wp.dot(d, d) < radius * radius
+                        and j != i
+                        and not (role[i] == Role.DUMMY and role[j] == Role.DUMMY)
+                    ):
+                        if n < neighbours.capacity:
+                            neighbours.entry[i * neighbours.row_stride + n * neighbours.entry_stride] = j
+                        n += 1
+        if n > neighbours.capacity:
+            wp.atomic_max(longest_row, 0, n)
+    neighbours.count[i] = wp.min(n, neighbours.capacity)
+
+
+def list_neighbours(launch, grid, start, position, role, radius, neighbours, longest_row) -> None:
+    """Write every pair closer than ``radius`` [m] into the rows of both (pairs of dummies excepted).
+
+    Particles must stand in the order of their cells. A row that would overflow is cut and its full length goes to
+    ``longest_row`` (1,), which the host must look at.
+    """
+    launch(_list_neighbours, position.shape[0], [grid, start, position, role, radius, neighbours, longest_row])
+
+
+@wp.kernel
+def _clear_flag(first: int, flag: wp.array[int], counter: wp.array[int]):
+    flag[0] = 0
+    counter[0] += 1
+
+
+def clear_flag(launch, flag, counter) -> None:
+    """Set ``flag`` (1,) to zero and count the event in ``counter`` (1,)."""
+    launch.whole(_clear_flag, 1, [flag, counter])

@@ -1,0 +1,1 @@
+"""Bonds, elasticity and contact of solids."""

@@ -1,0 +1,122 @@
+"""Bonds between solid neighbours: made at freezing, cut at melting, each with the separation of that moment."""
+
+import warp as wp
+
+from warpsph.kernels.basics.labels import Phase
+from warpsph.kernels.basics.smoothing import sine_slope, sine_value
+from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.struct
+class BondList:
+    """Rows of bonds: ``count`` (n,), and for each bond (n * capacity,) its ``partner``, its ``separation`` x_i - x_j at
+    freezing [m], and there the normalised ``slope`` W'/r and ``value`` W of the smoothing kernel."""
+
+    count: wp.array[int]
+    partner: wp.array[int]
+    separation: wp.array[wp.vec3]
+    slope: wp.array[float]
+    value: wp.array[float]
+    capacity: int
+
+
+@wp.func
+def copy_bond(bonds: BondList, source: int, target: BondList, place: int):
+    target.partner[place] = bonds.partner[source]
+    target.separation[place] = bonds.separation[source]
+    target.slope[place] = bonds.slope[source]
+    target.value[place] = bonds.value[source]
+
+
+@wp.kernel
+def _update_bonds(
+    first: int,
+    reach: float,
+    scale: float,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    phase: wp.array[int],
+    froze: wp.array[int],
+    bonds: BondList,
+    longest_row: wp.array[int],
+):
+    i = wp.tid() + first
+    n = int(0)
+    if phase[i] == Phase.SOLID:
+        row = i * bonds.capacity
+        if froze[i] == 0:
+            for b in range(bonds.count[i]):
+                j = bonds.partner[row + b]
+                if phase[j] == Phase.SOLID and froze[j] == 0:
+                    copy_bond(bonds, row + b, bonds, row + n)
+                    n += 1
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            if phase[j] == Phase.SOLID and (froze[i] != 0 or froze[j] != 0):
+                d = position[i] - position[j]
+                if wp.dot(d, d) < reach * reach:
+                    if n < bonds.capacity:
+                        bonds.partner[row + n] = j
+                        bonds.separation[row + n] = d
+                        bonds.slope[row + n] = scale * sine_slope(wp.dot(d, d), reach)
+                        bonds.value[row + n] = scale * sine_value(wp.dot(d, d), reach)
+                    n += 1
+        if n > bonds.capacity:
+            wp.atomic_max(longest_row, 0, n)
+    bonds.count[i] = wp.min(n, bonds.capacity)
+
+
+@wp.kernel
+def _mark_bonded_neighbours(first: int, neighbours: NeighbourList, bonds: BondList):
+    i = wp.tid() + first
+    for k in range(neighbours.count[i]):
+        place = i * neighbours.row_stride + k * neighbours.entry_stride
+        j = index_of(neighbours.entry[place])
+        entry = j
+        if bonds.count[i] > 0 and bonds.count[j] > 0:
+            for b in range(bonds.count[i]):
+                if bonds.partner[i * bonds.capacity + b] == j:
+                    entry = -1 - j
+        neighbours.entry[place] = entry
+
+
+@wp.kernel
+def _move_bonds(first: int, order: wp.array[int], place: wp.array[int], bonds: BondList, target: BondList):
+    i = wp.tid() + first
+    old = order[i]
+    for b in range(bonds.count[old]):
+        source = old * bonds.capacity + b
+        copy_bond(bonds, source, target, i * bonds.capacity + b)
+        target.partner[i * bonds.capacity + b] = place[bonds.partner[source]]
+    target.count[i] = bonds.count[old]
+
+
+@wp.kernel
+def _copy_bonds(first: int, bonds: BondList, target: BondList):
+    i = wp.tid() + first
+    target.count[i] = bonds.count[i]
+    for b in range(bonds.count[i]):
+        copy_bond(bonds, i * bonds.capacity + b, target, i * bonds.capacity + b)
+
+
+def update_bonds(launch, reach, scale, neighbours, position, phase, froze, bonds, longest_row) -> None:
+    """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``.
+
+    A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
+    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is
+    cut and its full length goes to ``longest_row`` (1,).
+    """
+    launch(_update_bonds, position.shape[0], [reach, scale, neighbours, position, phase, froze, bonds, longest_row])
+
+
+def mark_bonded_neighbours(launch, neighbours, bonds) -> None:
+    """Mark in the neighbour list which pairs are bonded."""
+    launch(_mark_bonded_neighbours, neighbours.count.shape[0], [neighbours, bonds])
+
+
+def reorder_bonds(launch, order, place, bonds, spare) -> None:
+    """Move the rows of bonds with their particles and rename the partners; ``spare`` is a bond list to work in."""
+    launch(_move_bonds, order.shape[0], [order, place, bonds, spare])
+    launch(_copy_bonds, order.shape[0], [spare, bonds])

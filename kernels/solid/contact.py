@@ -1,0 +1,56 @@
+"""Contact of solids: bodies press on each other where their surfaces come close."""
+
+import warp as wp
+
+from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.basics.smoothing import NEAREST
+from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.struct
+class Contact:
+    """Constants of the contact: ``reach`` [m] of a particle, and the force ``strength`` [N], [N/m] in 2D, of a pair."""
+
+    reach: float
+    strength: float
+
+
+@wp.kernel
+def _add_contact_force(
+    first: int,
+    contact: Contact,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    role: wp.array[int],
+    body: wp.array[int],
+    mass: wp.array[float],
+    acceleration: wp.array[wp.vec3],
+):
+    i = wp.tid() + first
+    if role[i] == Role.FREE:
+        x_i = position[i]
+        force = wp.vec3()
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            if body[j] != body[i]:
+                d = x_i - position[j]
+                r = wp.max(wp.length(d), NEAREST * contact.reach)
+                depth = wp.max(1.0 - r / contact.reach, 0.0)
+                force += d * (contact.strength * depth * depth * depth * depth / r)
+        acceleration[i] += force / mass[i]
+
+
+def add_contact_forces(launch, contact, neighbours, position, role, body, mass, acceleration) -> None:
+    """Add the contact of particles of different bodies to ``acceleration`` (n,) [m/s^2].
+
+    Two particles closer than the reach push each other apart with ``strength (1 - r / reach)^4``: the force has an
+    energy, is equal and opposite, and fades so smoothly that surfaces made of particles slide over each other almost
+    without friction. A body does not feel itself.
+    """
+    launch(
+        _add_contact_force,
+        position.shape[0],
+        [contact, neighbours, position, role, body, mass, acceleration],
+    )

@@ -1,0 +1,165 @@
+"""Elastic forces of bonded particles: Green-Saint-Venant strain, Hooke's law, and hourglass control."""
+
+import warp as wp
+
+from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.solid.bonds import BondList
+
+wp.set_module_options({"enable_backward": False})
+
+SMALLEST_DETERMINANT = wp.constant(0.15)
+
+
+@wp.struct
+class Elastic:
+    """Constants of the elastic solid.
+
+    ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control, and
+    ``shortest_squared`` [m^2] the square of the length below which a bond gets no stiffer by it;
+    ``corrected`` 1 where gradients are corrected by the moment matrix, 0 for the form as published; ``planar`` 1 in
+    2D, where the moment matrix has no third row.
+    """
+
+    lame_lambda: float
+    lame_mu: float
+    youngs_modulus: float
+    hourglass: float
+    shortest_squared: float
+    corrected: int
+    planar: int
+
+
+@wp.kernel
+def _settle_volume(
+    first: int, froze: wp.array[int], mass: wp.array[float], density: wp.array[float], body_volume: wp.array[float]
+):
+    i = wp.tid() + first
+    if froze[i] != 0:
+        body_volume[i] = mass[i] / density[i]
+
+
+@wp.kernel
+def _invert_moments(
+    first: int,
+    elastic: Elastic,
+    bonds: BondList,
+    body_volume: wp.array[float],
+    correction: wp.array[wp.mat33],
+):
+    i = wp.tid() + first
+    if bonds.count[i] > 0:
+        moment = wp.mat33()
+        for b in range(bonds.count[i]):
+            place = i * bonds.capacity + b
+            X = bonds.separation[place]
+            moment -= wp.outer(X, X) * (body_volume[bonds.partner[place]] * bonds.slope[place])
+        if elastic.planar != 0:
+            moment[2, 2] = 1.0
+        identity = wp.identity(n=3, dtype=float)
+        if elastic.corrected != 0 and wp.determinant(moment) > SMALLEST_DETERMINANT:
+            correction[i] = wp.inverse(moment)
+        else:
+            correction[i] = identity
+
+
+@wp.kernel
+def _find_stress(
+    first: int,
+    elastic: Elastic,
+    bonds: BondList,
+    position: wp.array[wp.vec3],
+    body_volume: wp.array[float],
+    correction: wp.array[wp.mat33],
+    deformation: wp.array[wp.mat33],
+    stress: wp.array[wp.mat33],
+):
+    i = wp.tid() + first
+    if bonds.count[i] > 0:
+        x_i = position[i]
+        gradient = wp.mat33()
+        for b in range(bonds.count[i]):
+            place = i * bonds.capacity + b
+            j = bonds.partner[place]
+            X = bonds.separation[place]
+            u_ij = position[j] - x_i + X  # Vijaykumar (4.6)
+            gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
+        gradient = gradient * correction[i]
+        identity = wp.identity(n=3, dtype=float)
+        F = identity + gradient
+        strain = 0.5 * (wp.transpose(F) * F - identity)  # Vijaykumar (4.3)
+        sigma = 2.0 * elastic.lame_mu * strain + elastic.lame_lambda * wp.trace(strain) * identity  # (4.5)
+        deformation[i] = F
+        stress[i] = F * sigma * correction[i]
+
+
+@wp.kernel
+def _add_elastic_force(
+    first: int,
+    elastic: Elastic,
+    bonds: BondList,
+    position: wp.array[wp.vec3],
+    role: wp.array[int],
+    mass: wp.array[float],
+    body_volume: wp.array[float],
+    deformation: wp.array[wp.mat33],
+    stress: wp.array[wp.mat33],
+    acceleration: wp.array[wp.vec3],
+):
+    i = wp.tid() + first
+    if bonds.count[i] > 0 and role[i] == Role.FREE:
+        x_i = position[i]
+        F_i = deformation[i]
+        P_i = stress[i]
+        force = wp.vec3()
+        for b in range(bonds.count[i]):
+            place = i * bonds.capacity + b
+            j = bonds.partner[place]
+            X = bonds.separation[place]
+            v_j = body_volume[j]
+            # Vijaykumar (4.13), (4.14) as in his pseudo-code 4.4, gathered over both ends of the bond
+            force += (P_i + stress[j]) * (X * (v_j * bonds.slope[place]))
+            if elastic.hourglass > 0.0:
+                # Ganzenmueller (2015), equations 17-20
+                x = x_i - position[j]
+                miss = wp.dot((F_i + deformation[j]) * X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
+                weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
+                force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)
+        acceleration[i] += force * (body_volume[i] / mass[i])
+
+
+def settle_volume(launch, froze, mass, density, body_volume) -> None:
+    """Fix the body volume (n,) [m^3, or m^2 in 2D] of particles that just ``froze`` (Vijaykumar 2012, section 4.2)."""
+    launch(_settle_volume, mass.shape[0], [froze, mass, density, body_volume])
+
+
+def invert_moments(launch, elastic, bonds, body_volume, correction) -> None:
+    """Renew every moment matrix after bonds have changed.
+
+    ``correction`` (n,) is the inverse of the moment matrix of each particle's bonds, the identity where that is nearly
+    singular.
+    """
+    launch(_invert_moments, body_volume.shape[0], [elastic, bonds, body_volume, correction])
+
+
+def find_stress(launch, elastic, bonds, position, body_volume, correction, deformation, stress) -> None:
+    """Write the deformation gradient and the stress of bonded particles, each (n,).
+
+    Vijaykumar (2012), equations (4.3), (4.5), (4.6), (4.9), with the displacement gradient corrected by the moment
+    matrix so that a turned body feels no force. ``stress`` is the first Piola-Kirchhoff stress [Pa] times the
+    correction, as the forces need it.
+    """
+    launch(_find_stress, position.shape[0], [elastic, bonds, position, body_volume, correction, deformation, stress])
+
+
+def add_elastic_forces(
+    launch, elastic, bonds, position, role, mass, body_volume, deformation, stress, acceleration
+) -> None:
+    """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
+
+    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015).
+    """
+    launch(
+        _add_elastic_force,
+        position.shape[0],
+        [elastic, bonds, position, role, mass, body_volume, deformation, stress, acceleration],
+    )

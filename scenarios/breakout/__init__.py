@@ -1,0 +1,1 @@
+"""The breakout of the casting machine."""

@@ -1,0 +1,171 @@
+"""The parts of the casting machine, placed: strand, mould, rolls, nozzle, dummies, water."""
+
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from warpsph.core.hydrostatics import row_heights
+from warpsph.core.labels import Role
+from warpsph.core.materials import WATER
+from warpsph.core.particles import Particles, lattice
+from warpsph.machine import Inlet, LevelGauge, Outflow, Spray, SprayZone, SymmetryPlane
+from warpsph.scenarios.casting.nozzle import Nozzle, side_port, straight_tube
+
+if TYPE_CHECKING:
+    from warpsph.scenarios.casting.casting import Casting
+
+STEEL, MOULD, DUMMY, SPRAY_WATER = range(4)
+MOULD_LAYERS = 4
+DUMMY_LAYERS = 3
+OUTFLOW_ROWS = 4
+COOLING_WATER = 373.15
+SPRAY_TEMPERATURE = 298.15
+SPRAY_BOILED = 374.15
+SPRAY_DISTANCE = 0.04  # from the nozzles to the strand [m]
+LONGEST_RIDE = 10.0  # time on the strand for which water is in reserve [s]
+
+
+class CastingMachine:
+    """Puts the particles of a case in their places and makes the devices that move them.
+
+    Args:
+        case: the scenario.
+    """
+
+    def __init__(self, case: "Casting"):
+        self.case = case
+        self.particles = Particles()
+        self.rim = case.mould_top + 0.02
+        self.heights = self._row_heights()
+        side = case.nozzle_port == "side"
+        nozzle = side_port(case, self.rim) if side else straight_tube(case, self.heights, self.rim)
+        planes = [SymmetryPlane((1.0, 0.0, 0.0), 0.0)]
+        if case.dimension == 3:
+            planes.append(SymmetryPlane((0.0, 0.0, 1.0), 0.0))
+        self.gauge = self._gauge(nozzle)
+        self._add_strand(nozzle)
+        self._add_walls(nozzle)
+        self._add_dummies(planes)
+        self.inlet = Inlet(self.gauge, nozzle.row, nozzle.direction, nozzle.length, case.pouring_temperature, STEEL)
+        self.outflow = Outflow(self.gauge, 0.0, -OUTFLOW_ROWS * case.spacing, case.half_width + 2.0 * case.spacing)
+        self.planes = planes
+        self.spray = self._add_spray()
+
+    @property
+    def box(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+        """Corners of the box that holds everything [m]."""
+        case, outside = self.case, self.case.half_width + 0.1
+        low, flat = -4 * case.spacing, case.dimension == 2
+        return (low, -8 * case.spacing, 0.0 if flat else low), (
+            outside,
+            case.mould_top + 0.05,
+            0.0 if flat else outside,
+        )
+
+    def _row_heights(self) -> np.ndarray:
+        """Heights [m] of the rows of the strand and of the zone in which it is withdrawn."""
+        case, floor = self.case, -OUTFLOW_ROWS * self.case.spacing
+        rows = round((case.level - floor) / case.spacing)
+        if case.start == "hydrostatic":
+            return floor + row_heights(rows, case.spacing, 9.81, case.sound_speed)
+        return floor + (np.arange(rows) + 0.5) * case.spacing
+
+    def _gauge(self, nozzle: Nozzle) -> LevelGauge:
+        """Weighs a column of whole cells beside the nozzle."""
+        case = self.case
+        beside = max(high[0] for _, high in (*nozzle.walls, nozzle.bore))
+        sides = max(0.25 * case.half_width, beside), 0.75 * case.half_width
+        low, high = (round(side / case.spacing) * case.spacing for side in sides)
+        depth = (-1.0, 1.0) if case.dimension == 2 else (low, high)
+        return LevelGauge(
+            low=(low, 0.0, depth[0]),
+            high=(high, 2.0 * case.mould_top, depth[1]),
+            target_level=case.level,
+            casting_speed=case.casting_speed,
+            area_ratio=nozzle.area_ratio,
+            gain=case.level_gain,
+        )
+
+    def _fill(self, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]) -> np.ndarray:
+        """Lattice (n, 3) [m] of a box, in the plane without z."""
+        corners = list(zip(x, y, z, strict=True))
+        return lattice(*(corner[: self.case.dimension] for corner in corners), self.case.spacing)
+
+    def _outside(self, points: np.ndarray, depth: float) -> np.ndarray:
+        """Which points lie more than ``depth`` [m] outside the cold faces."""
+        return np.max(points[:, [0, 2]], axis=1) > self.case.half_width + depth
+
+    def _add_strand(self, nozzle: Nozzle) -> None:
+        """Melt and shell at rest under their weight, the moving zones at both ends, and a reserve."""
+        case, particles, dx, W = self.case, self.particles, self.case.spacing, self.case.half_width
+        section = self._fill((0.0, W), (0.0, dx), (0.0, W))
+        points = np.tile(section, (len(self.heights), 1))
+        points[:, 1] = np.repeat(self.heights, len(section))
+        profiles = case.slices(self.heights)
+        cells = (np.arange(profiles.shape[1]) + 0.5) * W / profiles.shape[1]
+        from_axis = np.max(section[:, [0, 2]], axis=1)
+        temperature = np.concatenate([np.interp(from_axis, cells, profile) for profile in profiles])
+
+        outside_nozzle, withdrawn = ~nozzle.keeps_out(points), points[:, 1] <= 0.0
+        strand = outside_nozzle & ~withdrawn
+        down = (0.0, -case.casting_speed, 0.0)
+        particles.add(points[strand], Role.FREE, STEEL, temperature[strand], down)
+        particles.add(points[withdrawn], Role.OUTFLOW, STEEL, temperature[withdrawn], down)
+        particles.add(nozzle.filling(dx), Role.INFLOW, STEEL, case.pouring_temperature)
+        reserve = np.tile([[0.0, case.level, 0.0]], (len(points) // 5, 1))
+        particles.add(reserve, Role.RESERVOIR, STEEL, case.pouring_temperature)
+
+    def _add_walls(self, nozzle: Nozzle) -> None:
+        """The mould, the nozzle's walls, and the rolls, at every cold face."""
+        case, particles, dx, W = self.case, self.particles, self.case.spacing, self.case.half_width
+        x = (0.0 if case.dimension == 3 else W, W + MOULD_LAYERS * dx)
+        mould = self._fill(x, (case.mould_bottom, case.mould_top), x)
+        mould = mould[self._outside(mould, 0.0)]
+        outermost = self._outside(mould, (MOULD_LAYERS - 1) * dx)
+        particles.add(mould, Role.WALL, MOULD, COOLING_WATER, held=outermost)
+        particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, DUMMY)
+        x = (x[0], W + DUMMY_LAYERS * dx)
+        for middle in np.arange(case.roll_first, -2 * dx, -case.roll_pitch):
+            roll = self._fill(x, (middle - 0.5 * case.roll_size, middle + 0.5 * case.roll_size), x)
+            particles.add(roll[self._outside(roll, 0.0)], Role.DUMMY, DUMMY)
+
+    def _add_dummies(self, planes: list[SymmetryPlane]) -> None:
+        """Dummies behind the planes of symmetry, in 3D also behind mould and rolls, or melt leaks at their ends."""
+        dx = self.case.spacing
+        behind, height = (-DUMMY_LAYERS * dx, 0.0), (-7 * dx, self.rim)
+        outside = self.case.half_width + MOULD_LAYERS * dx
+        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], outside)), DUMMY)
+        for plane in planes[1:]:
+            plane.add_dummies(self.particles, self._fill((0.0, outside), height, behind), DUMMY)
+
+    def _add_spray(self) -> Spray:
+        case = self.case
+        flow = case.spray_flux * case.mould_bottom * (2.0 * case.half_width if case.dimension == 3 else 1.0)
+        edges = np.linspace(case.mould_bottom, 0.0, case.spray_zones + 1)
+        zones = [
+            SprayZone(
+                low=low,
+                high=high,
+                rate=flow / case.spray_zones / case.spray_particle,
+                off=case.spray_failure if case.spray_failure is not None and k + 1 in case.spray_failing else 1.0e9,
+            )
+            for k, (high, low) in enumerate(pairwise(edges))
+        ]
+        nozzle = case.half_width + SPRAY_DISTANCE
+        under_way = SPRAY_DISTANCE / case.spray_speed + LONGEST_RIDE
+        reserve = int(flow / case.spray_particle * under_way) + 10
+        parked = np.tile([[nozzle, 0.0, 0.0]], (reserve, 1))
+        volume = case.spray_particle / WATER.density
+        self.particles.add(parked, Role.RESERVOIR, SPRAY_WATER, SPRAY_TEMPERATURE, flows=False, volume=volume)
+        return Spray(
+            zones,
+            nozzle,
+            case.spray_speed,
+            reach=1.2 * case.spacing,
+            lost=0.5 * case.half_width,
+            temperature=SPRAY_TEMPERATURE,
+            boiled=SPRAY_BOILED,
+            material=SPRAY_WATER,
+            breadth=case.half_width if case.dimension == 3 else 0.0,
+        )

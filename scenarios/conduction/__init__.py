@@ -1,0 +1,1 @@
+"""Heat that is conducted in bodies at rest."""

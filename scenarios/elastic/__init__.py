@@ -1,0 +1,1 @@
+"""Elastic bodies without melt or heat."""

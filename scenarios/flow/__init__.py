@@ -1,0 +1,1 @@
+"""Fluids at rest, in motion, and with a surface."""

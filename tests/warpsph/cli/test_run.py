@@ -1,0 +1,106 @@
+"""``warpsph run``: which values win, what is written, how it ends."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from warpsph.files.results import ResultFile
+
+
+def test_default_preset_and_default_output(warpsph_command):
+    """If it failed, the shortest command would run another case or hide its result."""
+    outcome = warpsph_command("run", "ingot")
+    assert outcome.code == 0
+    result = ResultFile("results/ingot-small.vtkhdf")
+    assert result.parameters["scenario"] == "ingot"
+    assert (result.parameters["count"], result.parameters["duration"]) == (2, 0.5)
+    assert "level" in outcome.output
+    assert re.search(r"at 0\.5 s +the last drop froze", outcome.output)
+    assert "warpsph render results/ingot-small.vtkhdf" in outcome.output
+
+
+def test_precedence(warpsph_command, tmp_path: Path):
+    """If it failed, a setting would lose against a weaker one: defaults < preset < case file < --set."""
+    (tmp_path / "mine.toml").write_text("count = 5\nspacing = 0.02\n")
+    words = ["run", "ingot", "mine.toml", "--preset", "small", "--set", "spacing=0.03", "wall=steel"]
+    assert warpsph_command(*words).code == 0
+    parameters = ResultFile("results/ingot-mine.vtkhdf").parameters
+    assert parameters["wall"] == "steel"
+    assert parameters["spacing"] == 0.03
+    assert parameters["count"] == 5
+    assert parameters["duration"] == 0.5
+    assert parameters["output_interval"] == 0.1
+
+
+def test_a_case_file_alone_starts_from_the_defaults(warpsph_command, tmp_path: Path):
+    """If it failed, a case file would silently inherit values of the default preset."""
+    (tmp_path / "mine.toml").write_text("spacing = 0.02\n")
+    assert warpsph_command("run", "ingot", "mine.toml").code == 0
+    parameters = ResultFile("results/ingot-mine.vtkhdf").parameters
+    assert parameters["count"] == 3
+    assert parameters["duration"] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("setting", "key", "value"),
+    [
+        ("zones=[0.5, 1]", "zones", [0.5, 1.0]),
+        ("oscillates=false", "oscillates", False),
+        ("wall=steel", "wall", "steel"),
+        ("wall='steel'", "wall", "steel"),
+        (" count = 7 ", "count", 7),
+        ("spacing=.5", "spacing", 0.5),
+        ("spacing=1e-3", "spacing", 1e-3),
+    ],
+)
+def test_settings_are_toml_values_or_bare_words(warpsph_command, setting: str, key: str, value):
+    """If it failed, a value would have to be quoted twice, or would arrive as text."""
+    assert warpsph_command("run", "ingot", "--set", setting, "--output", "out.vtkhdf").code == 0
+    assert ResultFile("out.vtkhdf").parameters[key] == value
+
+
+def test_until_and_every_win(warpsph_command):
+    """If it failed, --until and --every would be ignored where a preset sets the same parameters."""
+    words = ["run", "ingot", "--until", "0.2", "--every", "0.05", "--set", "duration=3", "--output", "out.vtkhdf"]
+    assert warpsph_command(*words).code == 0
+    assert ResultFile("out.vtkhdf").times == pytest.approx([0.0, 0.05, 0.1, 0.15, 0.2])
+
+
+def test_overwrite(warpsph_command, tmp_path: Path):
+    """If it failed, --overwrite would not replace the file."""
+    (tmp_path / "out.vtkhdf").write_bytes(b"old")
+    assert warpsph_command("run", "ingot", "--output", "out.vtkhdf", "--overwrite").code == 0
+    assert len(ResultFile("out.vtkhdf").times) == 6
+
+
+def test_progress_on_a_pipe_is_plain_lines(warpsph_command):
+    """If it failed, a log file would fill with control characters, or tell nothing."""
+    error = warpsph_command("run", "ingot").error
+    assert "\x1b" not in error
+    assert error.splitlines()[-1].startswith("ingot 100%  0.500/0.5 s  100 steps/s")
+    assert "level 0.400 m" in error
+
+
+def test_quiet_says_nothing(warpsph_command):
+    """If it failed, a script could not run the program silently."""
+    outcome = warpsph_command("run", "ingot", "--quiet")
+    assert (outcome.code, outcome.output, outcome.error) == (0, "", "")
+
+
+def test_divergence_exits_3_and_keeps_the_frames(warpsph_command):
+    """If it failed, a run that blew up would look like a wrong input, or lose what came before."""
+    outcome = warpsph_command("run", "ingot", "--set", "ending=diverge", "--output", "out.vtkhdf", "--quiet")
+    assert outcome.code == 3
+    assert outcome.error == (
+        "warpsph: particle 7 at (0.1, 0.2, 0) m: speed 1e9 m/s at 0.5 s; the frames before it are in out.vtkhdf\n"
+    )
+    assert len(ResultFile("out.vtkhdf").times) == 6
+
+
+def test_interruption_exits_130_and_keeps_the_frames(warpsph_command):
+    """If it failed, a script could not tell an interrupted run from a finished one."""
+    outcome = warpsph_command("run", "ingot", "--set", "ending=interrupt", "--output", "out.vtkhdf")
+    assert outcome.code == 130
+    assert "interrupted" in outcome.output
+    assert ResultFile("out.vtkhdf").provenance["status"] == "interrupted"

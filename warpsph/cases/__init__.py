@@ -1,0 +1,1 @@
+"""What a scenario is, its case, and its checks."""

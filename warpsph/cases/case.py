@@ -1,0 +1,114 @@
+"""A case: the parameters of a scenario, gathered from its defaults, a preset, a case file and single settings."""
+
+import tomllib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from sys import modules
+from typing import Any
+
+from warpsph.cases.scenario import Scenario
+from warpsph.errors import InputError
+from warpsph.nearest import did_you_mean
+
+
+@dataclass(frozen=True)
+class Layer:
+    """Parameter values and where they come from; a later layer overrides an earlier one."""
+
+    origin: str
+    values: dict[str, Any]
+
+
+def preset_layer(scenario: type[Scenario], preset: str) -> Layer:
+    """The values of a preset: ``presets/<scenario>/<preset>.toml`` in the package that defines the scenario."""
+    if preset not in scenario.presets:
+        allowed = did_you_mean(preset, scenario.presets) if scenario.presets else "; it has no presets"
+        raise InputError(f"{scenario.name}: unknown preset '{preset}'{allowed}")
+    package = modules[scenario.__module__].__spec__.parent
+    resource = files(package) / "presets" / scenario.name / f"{preset}.toml"
+    return Layer(f"preset {preset}", _parse_toml(resource.read_bytes(), f"preset {preset}"))
+
+
+def file_layer(path: Path) -> Layer:
+    """The values of a case file."""
+    try:
+        content = path.read_bytes()
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or error
+        raise InputError(f"case file '{path}' cannot be read: {reason}; give a TOML file of parameters") from None
+    return Layer(str(path), _parse_toml(content, str(path)))
+
+
+def settings_layer(settings: Iterable[str], origin: str = "--set") -> Layer:
+    """The values of ``KEY=VALUE`` settings; a value is TOML, and a bare word stands for itself."""
+    values = {}
+    for setting in settings:
+        key, equals, value = setting.partition("=")
+        if not (equals and key.strip()):
+            raise InputError(f"{origin} {_cropped(setting)}: expected KEY=VALUE, for example duration=2.5")
+        values[key.strip()] = _parse_value(value.strip())
+    return Layer(origin, values)
+
+
+def resolve(scenario: type[Scenario], layers: Sequence[Layer]) -> Scenario:
+    """The scenario with the values of all layers, the last layer first in rank.
+
+    Raises:
+        InputError: a key is unknown or a value is out of bounds; the text begins with the layer that brought it in.
+    """
+    values: dict[str, Any] = {}
+    for layer in layers:
+        values |= layer.values
+    try:
+        return scenario(**values)
+    except InputError as error:
+        raise InputError(f"{_culprit(scenario, layers, str(error))}{error}") from None
+
+
+def _culprit(scenario: type[Scenario], layers: Sequence[Layer], message: str) -> str:
+    values: dict[str, Any] = {}
+    for layer in layers:
+        values |= layer.values
+        try:
+            scenario(**values)
+        except InputError as error:
+            if str(error) == message:
+                return f"{layer.origin}: "
+    return ""
+
+
+def _parse_toml(content: bytes, origin: str) -> dict[str, Any]:
+    try:
+        return _load_toml(content.decode())
+    except UnicodeDecodeError:
+        raise InputError(f"{origin}: not a text file in UTF-8; give a TOML file of parameters") from None
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{origin}: not valid TOML: {error}") from None
+
+
+def _parse_value(text: str) -> Any:
+    try:
+        document = _load_toml(f"value = {text}")
+    except (ValueError, RecursionError):
+        return text
+    return document["value"] if document.keys() == {"value"} else text
+
+
+def _load_toml(text: str) -> dict[str, Any]:
+    document = tomllib.loads(text)
+    if _has_large_integer(document):
+        raise ValueError("an integer has more than 64 bits")
+    return document
+
+
+def _has_large_integer(value: Any) -> bool:
+    """TOML integers have 64 bits; Python reads longer ones, but cannot always print them."""
+    if isinstance(value, dict | list):
+        return any(_has_large_integer(item) for item in (value.values() if isinstance(value, dict) else value))
+    return isinstance(value, int) and not -(2**63) <= value < 2**63
+
+
+def _cropped(text: str, length: int = 60) -> str:
+    return repr(text if len(text) <= length else f"{text[:length]}...")

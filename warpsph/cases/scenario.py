@@ -1,0 +1,114 @@
+"""What a scenario is: a class whose fields are its parameters, and the registry through which the program finds it."""
+
+from collections.abc import Callable, Iterable
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from warpsph.cases.check import Check
+from warpsph.errors import InputError
+
+if TYPE_CHECKING:
+    from warpsph.core.executor import Executor
+    from warpsph.run.simulation import Result, Simulation
+
+_registry: dict[str, type["Scenario"]] = {}
+
+
+def parameter(default: Any, unit: str, meaning: str, **bounds: Any) -> Any:
+    """Declare a field of a scenario.
+
+    Args:
+        default: its value where the case says nothing.
+        unit: SI unit, "" where it has none.
+        meaning: one phrase for ``warpsph describe``.
+        bounds: ``gt``, ``ge``, ``lt``, ``le`` as in pydantic.
+    """
+    return Field(default, description=meaning, json_schema_extra={"unit": unit}, **bounds)
+
+
+class Scenario(BaseModel):
+    """A case to simulate; subclasses add their parameters as fields and are registered under ``name``.
+
+    Class attributes of a subclass: ``name`` (on the command line), ``summary`` (one line), ``source`` (paper and
+    section) and ``presets`` (names of the TOML files under ``presets/<name>/`` beside its module).
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, validate_default=True)
+
+    name: ClassVar[str]
+    summary: ClassVar[str]
+    source: ClassVar[str]
+    presets: ClassVar[tuple[str, ...]] = ()
+    default_preset: ClassVar[str | None] = None
+
+    duration: float = parameter(1.0, "s", "physical time to simulate", gt=0, le=1e6)
+    output_interval: float = parameter(0.1, "s", "physical time between two frames and diagnostics", gt=0, le=1e6)
+
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        super().__init_subclass__(**kwargs)
+        if "name" in cls.__dict__:
+            _registry[cls.name] = cls
+
+    def __init__(self, /, **values: Any) -> None:
+        try:
+            super().__init__(**values)
+        except ValidationError as error:
+            raise InputError(_one_line(type(self), error)) from None
+
+    def build(self, executor: "Executor") -> "Simulation":
+        """Place the particles and choose slots and devices."""
+        raise NotImplementedError
+
+    def run(self, device: str = "auto", threads: int | None = None, **options: Any) -> "Result":
+        """Simulate to ``duration`` and return the final state and the diagnostics as NumPy arrays.
+
+        ``options`` go to :meth:`warpsph.run.simulation.Simulation.run`.
+        """
+        from warpsph.core.executor import Executor
+
+        executor = Executor(device, threads)
+        simulation = self.build(executor)
+        options = {"duration": self.duration, "output_interval": self.output_interval} | options
+        return simulation.run(**options)
+
+    def checks(self, result: "Result") -> list[Check]:
+        """Compare one finished run with the sources."""
+        return []
+
+    @classmethod
+    def verify(cls, simulate: "Callable[[Scenario], Result]", slow: bool) -> Iterable[Check]:
+        """Yield the rows of ``warpsph verify``; scenarios that need several runs override it.
+
+        Args:
+            simulate: runs a scenario and returns its result.
+            slow: whether runs of many minutes are allowed.
+        """
+        scenario = cls()
+        yield from scenario.checks(simulate(scenario))
+
+    def as_dict(self) -> dict[str, Any]:
+        """The resolved parameters, as they are stored with the result."""
+        return {"scenario": self.name, "version": version("warpsph")} | self.model_dump(mode="json")
+
+
+def registered_scenarios() -> dict[str, type[Scenario]]:
+    """All scenarios that have been imported, by name, in the order of their registration."""
+    return dict(_registry)
+
+
+def _one_line(scenario: type[Scenario], error: ValidationError) -> str:
+    from warpsph.nearest import did_you_mean
+
+    first = error.errors()[0]
+    reason = first["msg"].removeprefix("Value error, ")
+    key = ".".join(str(part) for part in first["loc"])
+    if not key:
+        return f"{scenario.name}: {reason}"
+    if first["type"] == "extra_forbidden":
+        return f"{scenario.name}: unknown parameter '{key}'{did_you_mean(key, scenario.model_fields)}"
+    field = scenario.model_fields.get(key)
+    unit = (field.json_schema_extra or {}).get("unit", "") if field else ""
+    given = first.get("input")
+    return f"{scenario.name}: {key} = {given!r}: {reason}" + (f" [{unit}]" if unit else "")

@@ -1,0 +1,172 @@
+"""Where kernels run: one CUDA graph on a GPU, one graph a thread on a CPU. The only place that decides."""
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from pathlib import Path
+
+import warp as wp
+
+from warpsph.errors import InputError
+from warpsph.kernels.basics.barrier import barrier
+
+# Threads take turns along the particles, because these are sorted by place and places differ in work.
+SLICES_PER_THREAD = 8
+
+
+class Recording:
+    """A piece of work recorded once and replayed many times without the interpreter."""
+
+    def __init__(self, graphs: list[wp.Graph]):
+        self.graphs = graphs
+
+
+class Executor:
+    """Launches kernels on one device.
+
+    Every kernel takes the first index of its range as its first argument, so that a launch can be cut into slices: on
+    a CPU each thread replays a graph of its own slices, and the threads meet after each launch. The results have the
+    same bits for any number of threads, because every kernel writes its own particle only.
+
+    Args:
+        device: "auto" (a CUDA device where there is one), "cpu" or "cuda:N".
+        threads: CPU threads, all cores by default; ignored on a GPU.
+
+    Raises:
+        InputError: the device does not exist here or the number of threads makes no sense.
+    """
+
+    def __init__(self, device: str = "auto", threads: int | None = None):
+        wp.config.log_level = wp.LOG_ERROR
+        with _without_driver_warning():
+            wp.init()
+        self.device = _find_device(device)
+        self.threads = 1 if self.device.is_cuda else _thread_count(threads)
+        self._slice: int | None = None
+        self._in_section = False
+        self._meeting = wp.zeros(64, dtype=int, device=self.device)
+        self._pool = ThreadPoolExecutor(self.threads, "warpsph")
+
+    @property
+    def device_name(self) -> str:
+        return self.device.name if self.device.is_cuda else "cpu"
+
+    @property
+    def on_cuda(self) -> bool:
+        return self.device.is_cuda
+
+    def __call__(self, kernel: wp.Kernel, dim: int, inputs: Sequence) -> None:
+        """Launch ``kernel`` over ``dim`` threads, cut into slices while a step is recorded for a CPU."""
+        if self._slice is None:
+            wp.launch(kernel, dim=dim, inputs=[0, *inputs], device=self.device)
+            return
+        slices = self.threads * SLICES_PER_THREAD
+        for index in range(self._slice, slices, self.threads):
+            first, last = (dim * (index + k) // slices for k in (0, 1))
+            if last > first:
+                wp.launch(kernel, dim=last - first, inputs=[first, *inputs], device=self.device)
+        self._meet()
+
+    def whole(self, kernel: wp.Kernel, dim: int, inputs: Sequence) -> None:
+        """Launch ``kernel`` without cutting it: for counters that several indices share, and for single-thread work."""
+        if self._slice is None or self._slice == 0:
+            wp.launch(kernel, dim=dim, inputs=[0, *inputs], device=self.device)
+        self._meet()
+
+    @contextmanager
+    def section(self) -> Iterator[None]:
+        """Launches inside do not wait for each other; threads meet once, at the end.
+
+        Allowed where no launch inside reads another particle's data that a launch inside writes, and all launches are
+        over the same range.
+        """
+        self._in_section = True
+        try:
+            yield
+        finally:
+            self._in_section = False
+        self._meet()
+
+    def when(self, flag: wp.array, body: Callable[[], None]) -> None:
+        """Do ``body`` if ``flag[0]`` is not zero; decided on the device."""
+        wp.capture_if(flag, on_true=body)
+
+    def record(self, work: Callable[[], None]) -> Recording:
+        """Record the launches of ``work`` for :meth:`replay`."""
+        graphs = []
+        for index in range(self.threads):
+            self._slice = None if self.on_cuda else index
+            try:
+                with wp.ScopedCapture(self.device) as capture:
+                    work()
+            finally:
+                self._slice = None
+            graphs.append(capture.graph)
+        return Recording(graphs)
+
+    def replay(self, schedule: Sequence[tuple[Recording, int]]) -> None:
+        """Replay recordings in order, each the given number of times, and wait for the end."""
+        jobs = [self._pool.submit(_replay, schedule, index) for index in range(self.threads)]
+        try:
+            wait(jobs)
+        finally:
+            wait(jobs)
+            if self.on_cuda:
+                wp.synchronize_device(self.device)
+        for job in jobs:
+            job.result()
+
+    def _meet(self) -> None:
+        if self._slice is not None and self.threads > 1 and not self._in_section:
+            wp.launch(barrier, dim=1, inputs=[self._meeting, self.threads], device=self.device)
+
+
+def _replay(schedule: Sequence[tuple[Recording, int]], index: int) -> None:
+    for recording, count in schedule:
+        graph = recording.graphs[index]
+        for _ in range(count):
+            wp.capture_launch(graph)
+
+
+@contextmanager
+def _without_driver_warning() -> Iterator[None]:
+    """Warp's native part writes to standard error where there is no CUDA driver, whatever the log level."""
+    kept = os.dup(2)
+    with open(os.devnull, "w") as nowhere:
+        os.dup2(nowhere.fileno(), 2)
+    try:
+        yield
+    finally:
+        os.dup2(kept, 2)
+        os.close(kept)
+
+
+def available_cores() -> int:
+    """CPU cores that this process may use: its affinity, and the quota of its container (Linux)."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    try:
+        quota, period = Path("/sys/fs/cgroup/cpu.max").read_text().split()
+        return max(min(cores, int(quota) // int(period)), 1)
+    except (OSError, ValueError):
+        return cores
+
+
+def _find_device(name: str) -> wp.Device:
+    available = ["cpu"] + [device.alias for device in wp.get_cuda_devices()]
+    if name == "auto":
+        name = available[1] if len(available) > 1 else "cpu"
+    if name == "cuda":
+        name = "cuda:0"
+    if name not in available:
+        raise InputError(f"device '{name}' is not here; available: auto, {', '.join(available)}")
+    return wp.get_device(name)
+
+
+def _thread_count(threads: int | None) -> int:
+    cores = available_cores()
+    if threads is None:
+        return cores
+    if not 1 <= threads <= cores:
+        raise InputError(f"threads = {threads}: this machine has {cores} core(s); give 1 to {cores}")
+    return threads

@@ -1,0 +1,140 @@
+"""Writing results: the frames as VTKHDF and, beside them, what made them and what was measured on the way."""
+
+import json
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from warpsph.errors import InputError, WarpsphError
+from warpsph.files.vtkhdf import STEPS_PER_CHUNK, append_step, commit, create_layout, extendable, put
+
+
+class ResultWriter:
+    """Writes one result file; after every frame and when it is killed the file is readable.
+
+    Groups: ``/VTKHDF`` (the frames), ``/warpsph/parameters`` and ``/warpsph/provenance`` (JSON texts),
+    ``/warpsph/diagnostics/<name>`` (float64, one row a time) and ``/warpsph/events/{time,text}``, of which the
+    attribute ``Rows`` counts what is whole.
+
+    Args:
+        path: the file to make.
+        parameters: the resolved case.
+        provenance: what made the file; its ``status`` is "unfinished" until :meth:`finish`.
+        overwrite: whether an existing file is replaced.
+
+    Raises:
+        InputError: the file exists and ``overwrite`` is false, or it cannot be made; an older file stays as it was.
+    """
+
+    def __init__(self, path: str | Path, parameters: dict, provenance: dict, overwrite: bool = False) -> None:
+        self.path = Path(path)
+        self._provenance = {"status": "unfinished"} | provenance
+        _check_target(self.path, overwrite)
+        unfinished = self.path.with_name(f".{self.path.name}.{os.getpid()}")
+        try:
+            with h5py.File(unfinished, "w", locking=False) as file:
+                create_layout(file)
+                group = file.create_group("warpsph")
+                group["parameters"] = _as_json(parameters)
+                group["provenance"] = _as_json(self._provenance)
+                extendable(group, "diagnostics/time", (), "f8", STEPS_PER_CHUNK)
+                extendable(group, "events/time", (), "f8", STEPS_PER_CHUNK)
+                extendable(group, "events/text", (), h5py.string_dtype(), STEPS_PER_CHUNK)
+                for series in (group["diagnostics"], group["events"]):
+                    series.attrs["Rows"] = np.int64(0)
+            os.replace(unfinished, self.path)
+            # without a lock, so that a run can be looked at while it goes on
+            self._file = h5py.File(self.path, "r+", locking=False)
+        except OSError as error:
+            unfinished.unlink(missing_ok=True)
+            raise InputError(f"{self.path}: cannot be written: {error.strerror or error}") from None
+
+    def write_frame(self, time: float, points: np.ndarray, fields: dict[str, np.ndarray]) -> None:
+        """Append a frame and flush.
+
+        Args:
+            time: physical time [s].
+            points: positions (n, 3) [m]; n differs from frame to frame.
+            fields: (n,) or (n, 3), float32 or int32, with the same names in every frame.
+        """
+        with self._writing():
+            append_step(self._file, time, np.asarray(points, "f4"), fields)
+
+    def write_diagnostics(self, time: float, values: dict[str, float | np.ndarray]) -> None:
+        """Append a row to the time series.
+
+        Args:
+            time: physical time [s].
+            values: numbers, or 1-D arrays of a fixed length; with the same names in every row.
+        """
+        with self._writing():
+            group = self._file["warpsph/diagnostics"]
+            row = int(group.attrs["Rows"])
+            if len(group) == 1:
+                for name in values:
+                    extendable(group, name, np.shape(values[name]), "f8", STEPS_PER_CHUNK)
+            if set(group) != {"time", *values}:
+                raise ValueError(f"diagnostics need the same names in every row: {', '.join(group)}")
+            for name, value in values.items():
+                put(group[name], row, [value])
+            put(group["time"], row, [time])
+            commit(group, "Rows", row + 1)
+
+    def write_event(self, time: float, text: str) -> None:
+        """Append something that happened, for example a breakout, at ``time`` [s]."""
+        with self._writing():
+            events = self._file["warpsph/events"]
+            row = int(events.attrs["Rows"])
+            put(events["text"], row, [text])
+            put(events["time"], row, [time])
+            commit(events, "Rows", row + 1)
+
+    def finish(self, **provenance) -> None:
+        """Add what is known only at the end, for example ``wall_time``, ``steps`` and ``status``."""
+        self._provenance |= provenance
+        with self._writing():
+            self._file["warpsph/provenance"][()] = _as_json(self._provenance)
+            self._file.flush()
+
+    def close(self) -> None:
+        """Close the file; nothing can be written afterwards."""
+        self._file.close()
+
+    def __enter__(self) -> "ResultWriter":
+        return self
+
+    def __exit__(self, *exception) -> None:
+        self.close()
+
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        """A full disk becomes one line."""
+        try:
+            yield
+        except OSError as error:
+            raise WarpsphError(f"{self.path}: writing failed, the frames before this are safe: {error}") from None
+
+
+def _check_target(path: Path, overwrite: bool) -> None:
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder; give the name of a file")
+    if not path.parent.is_dir():
+        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    if path.exists() and not overwrite:
+        raise InputError(f"{path}: exists already; choose another name or allow it to be overwritten (--overwrite)")
+
+
+def _as_json(values: dict) -> str:
+    return json.dumps(values, default=_plain, allow_nan=True)
+
+
+def _plain(value):
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    if isinstance(value, Path):
+        return str(value)
+    raise TypeError(f"{value!r} cannot be stored as JSON")

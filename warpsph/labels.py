@@ -1,5 +1,0 @@
-"""The labels of a particle, for everybody above the kernels."""
-
-from warpsph.kernels.labels import Phase, Role
-
-__all__ = ["Phase", "Role"]

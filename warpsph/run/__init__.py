@@ -1,0 +1,1 @@
+"""A run: clock, output, progress, diagnostics."""
