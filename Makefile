@@ -10,6 +10,8 @@
 PYTHON ?= python3
 BIN := .venv/bin
 DEMO := results/casting-demo
+# the package as it is installed, with kernels and scenarios inside, for the type checker
+HOUSE := build/house/warpsph
 GRAPHICS_PACKAGES := libegl1 libgl1-mesa-dri
 EXTRA_dev := [dev]
 EXTRA_docs := [docs]
@@ -38,6 +40,9 @@ study: .venv/installed-run
 lint: .venv/installed-dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	@rm -rf $(HOUSE) && mkdir -p $(HOUSE) \
+	&& ln -s $(CURDIR)/warpsph/* $(CURDIR)/kernels $(CURDIR)/scenarios $(HOUSE)
+	$(BIN)/mypy $(HOUSE)
 
 docs: .venv/installed-docs
 	$(BIN)/mkdocs build --strict --site-dir build/site

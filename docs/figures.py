@@ -17,8 +17,8 @@ from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
-from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
+from warpsph.core.model import GRAVITY
 from warpsph.files.results import ResultFile
 from warpsph.nearest import did_you_mean
 from warpsph.pictures import plot_diagnostics, render_series, render_still
@@ -27,7 +27,6 @@ from warpsph.scenarios.casting.travelling_slice import shell_thickness
 from warpsph.scenarios.elastic.cantilever import period, spectral_elements
 from warpsph.scenarios.flow.dam_break import published_front
 from warpsph.scenarios.flow.drop_shape import swing_of
-from warpsph.scenarios.neighbour_search import as_matrix
 
 matplotlib.use("Agg")
 
@@ -59,7 +58,7 @@ def simulated(name: str, preset: str | None = None, *settings: str) -> ResultFil
         layers = [preset_layer(scenario, preset)] if preset else []
         scenario = resolve(scenario, [*layers, settings_layer(settings)])
         with shown_progress(path.stem, error_console()) as progress:
-            scenario.run(output=path, overwrite=True, progress=progress, parameters=scenario.as_dict())
+            scenario.run(output=path, overwrite=True, progress=progress)
         _finished.add(path)
     return ResultFile(path)
 
@@ -209,7 +208,7 @@ def dam_break_front(picture: Path) -> None:
     drawing, axes = plt.subplots(figsize=(6, 4.5), layout="constrained")
     for preset, label in ((None, "warpsph, 2D"), ("space", "warpsph, 3D")):
         series = simulated("dam_break", preset).diagnostics
-        time = series["time"] * np.sqrt(2.0 * 9.81 / find_scenario("dam_break")().width)
+        time = series["time"] * np.sqrt(2.0 * GRAVITY / find_scenario("dam_break")().width)
         axes.plot(time, series["front"], label=label)
     for dataset, marker in (("KoshizukaOka1996", "o"), ("MM1952_a2.25in_n2=2", "^"), ("MM1952_a1.125in_n2=2", "v")):
         axes.plot(*np.transpose(published_front(dataset)), marker, mfc="none", label=EXPERIMENTS[dataset])
@@ -305,46 +304,6 @@ def cantilever(picture: Path) -> None:
 def rubber_rings(picture: Path) -> None:
     """The rings at six times, coloured by speed."""
     render_series(simulated("rubber_rings"), picture, [0.0, 0.004, 0.008, 0.012, 0.018, 0.024], field="speed")
-
-
-@figure
-def compensated_drift(picture: Path) -> None:
-    """Way of the particle, and of one that single precision alone advances."""
-    case = find_scenario("compensated_drift")()
-    series = simulated("compensated_drift").diagnostics
-    place, plain = np.float32(case.start), []
-    for _ in series["time"]:
-        plain.append(place - np.float32(case.start))
-        for _ in range(round(case.output_interval / case.time_step)):
-            place += np.float32(case.speed * case.time_step)
-    drawing, axes = plt.subplots(figsize=(6, 3.5), layout="constrained")
-    axes.plot(series["time"], 1e3 * case.speed * series["time"], "k-", lw=1, label="exact")
-    axes.plot(series["time"], 1e3 * (series["x"] - case.start), "o", label="compensated")
-    axes.plot(series["time"], 1e3 * np.array(plain), "x", label="single precision alone")
-    axes.set(xlabel="time [s]", ylabel=f"way from x = {case.start:g} m [mm]")
-    axes.legend(frameon=False)
-    drawing.savefig(picture, dpi=150)
-    plt.close(drawing)
-
-
-@figure
-def neighbour_search(picture: Path) -> None:
-    """The neighbours of three particles, with the support and the radius of the list."""
-    simulation = find_scenario("neighbour_search")(count=900).build(Executor("cpu", 1))
-    simulation.solver.prepare()
-    x, listed = simulation.state.numpy("position"), as_matrix(simulation.solver.neighbours.list)
-    middle = x.mean(axis=0)
-    drawing, axes = plt.subplots(figsize=(5, 5), layout="constrained")
-    axes.plot(*x[:, :2].T, ".", color="0.7", ms=4)
-    for k, shift in enumerate(((-0.08, 0.06, 0.0), (0.07, 0.02, 0.0), (-0.02, -0.08, 0.0))):
-        i = np.argmin(np.linalg.norm(x - middle - shift, axis=1))
-        axes.plot(*x[listed[i] > 0, :2].T, "o", color=f"C{k}", ms=4)
-        axes.plot(*x[i, :2], "k.", ms=6)
-        for radius, style in ((simulation.model.support, "-"), (simulation.solver.neighbours.radius, ":")):
-            axes.add_patch(plt.Circle(x[i, :2], radius, fill=False, ls=style, color=f"C{k}"))
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
-    drawing.savefig(picture, dpi=150)
-    plt.close(drawing)
 
 
 def main(names: list[str]) -> str | None:

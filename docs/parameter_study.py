@@ -12,8 +12,9 @@ import numpy as np
 from warpsph.cases.scenario import Scenario
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
+from warpsph.core.model import GRAVITY
 from warpsph.errors import DivergenceError
-from warpsph.run.simulation import Result
+from warpsph.run.result import Result
 from warpsph.scenarios import Casting, Hydrostatic
 from warpsph.scenarios.casting.experiments import lower_mould_shell
 
@@ -46,7 +47,7 @@ def column_row(case: Hydrostatic, result: Result) -> Row:
         "bottom pressure": f"{d['bottom_pressure'][-1] / exact - 1.0:+.2%}",
         "worst slice": f"{d['profile_error'][-1]:.2%}",
         "scatter": f"{d['pressure_scatter'][-1]:.2%}",
-        "mean speed over √(gH₀)": f"{d['mean_speed'][-1] / np.sqrt(9.81 * case.height):.1e}",
+        "mean speed over √(gH₀)": f"{d['mean_speed'][-1] / np.sqrt(GRAVITY * case.height):.1e}",
     }
 
 

@@ -2,7 +2,6 @@
 
 from warpsph.scenarios.breakout.breakout import Breakout
 from warpsph.scenarios.casting.casting import Casting
-from warpsph.scenarios.compensated_drift import CompensatedDrift
 from warpsph.scenarios.conduction.heat_gaussian import HeatGaussian
 from warpsph.scenarios.elastic.cantilever import Cantilever
 from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
@@ -10,18 +9,15 @@ from warpsph.scenarios.elastic.rubber_rings import RubberRings
 from warpsph.scenarios.flow.dam_break import DamBreak
 from warpsph.scenarios.flow.drop import Drop
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
-from warpsph.scenarios.neighbour_search import NeighbourSearch
 
 __all__ = [
     "Breakout",
     "Cantilever",
     "Casting",
-    "CompensatedDrift",
     "DamBreak",
     "Drop",
     "HeatGaussian",
     "Hydrostatic",
-    "NeighbourSearch",
     "RotatedDisc",
     "RubberRings",
 ]

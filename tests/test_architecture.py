@@ -10,8 +10,20 @@ import pytest
 ROOT = Path(__file__).parents[1]
 FLOORS = {"kernels": "warpsph.kernels", "scenarios": "warpsph.scenarios", "warpsph": "warpsph"}
 FILES = sorted(path for floor in FLOORS for path in (ROOT / floor).rglob("*.py"))
-SYNTAX = ("collections.abc", "enum", "functools", "typing")  # of the language, not of the machine
+SYNTAX = ("collections.abc", "enum", "functools", "types", "typing")  # of the language, not of the machine
 LONGEST = 400  # lines
+ROOMS = (
+    "errors",
+    "nearest",
+    "core",
+    "terms",
+    "machine",
+    "files",
+    "run",
+    "cases",
+    "pictures",
+    "cli",
+)  # the lowest first
 
 
 def on_floor(floor: str) -> list[Path]:
@@ -55,6 +67,89 @@ def test_warpsph_names_no_scenario(path: Path):
     """If it failed, a new scenario could not be added without touching the engine."""
     for module in imported_modules(path):
         assert not is_inside(module, "warpsph.scenarios"), f"{module_name(path)} imports {module}"
+
+
+def imports_among(modules: set[str]) -> dict[str, set[str]]:
+    """Which modules each module imports, those for annotations only among them."""
+    found: dict[str, set[str]] = {}
+    for path in FILES:
+        own = module_name(path)
+        for imported in imported_modules(path):
+            while imported and imported not in modules:
+                imported = imported.rpartition(".")[0]
+            if imported != own:
+                found.setdefault(own, set()).add(imported)
+    return found
+
+
+def circles(imports: dict[str, set[str]]) -> list[str]:
+    """A circle of names that import each other, as a list that ends where it begins; empty if there is none."""
+    done: set[str] = set()
+
+    def walk(name: str, way: list[str]) -> list[str]:
+        if name in way:
+            return [*way[way.index(name) :], name]
+        if name in done:
+            return []
+        for other in sorted(imports.get(name, ())):
+            if circle := walk(other, [*way, name]):
+                return circle
+        done.add(name)
+        return []
+
+    return next((circle for name in sorted(imports) if (circle := walk(name, []))), [])
+
+
+def test_no_module_imports_itself_in_a_circle():
+    """If it failed, two files could not be understood, or moved, one without the other."""
+    assert circles(imports_among({module_name(path) for path in FILES})) == []
+    assert circles({"a": {"b"}, "b": {"c"}, "c": {"a"}}) == ["a", "b", "c", "a"]
+
+
+@pytest.mark.parametrize("floor", FLOORS)
+def test_no_room_imports_itself_in_a_circle(floor: str):
+    """If it failed, the rooms of a floor would have no order."""
+
+    def room(module: str) -> str:
+        return ".".join(module.split(".")[: FLOORS[floor].count(".") + 2])
+
+    between: dict[str, set[str]] = {}
+    for module, imported in imports_among({module_name(path) for path in FILES}).items():
+        if module_name_is_on(module, floor):
+            others = {room(other) for other in imported if module_name_is_on(other, floor)} - {room(module)}
+            between.setdefault(room(module), set()).update(others)
+    between.pop(FLOORS[floor], None)
+    assert circles(between) == []
+
+
+def module_name_is_on(module: str, floor: str) -> bool:
+    """Whether a module is on a floor; kernels and scenarios are not on that of warpsph."""
+    others = [name for name in FLOORS.values() if name != "warpsph"]
+    if floor == "warpsph":
+        return not any(is_inside(module, other) for other in others)
+    return is_inside(module, FLOORS[floor])
+
+
+@pytest.mark.parametrize("path", on_floor("warpsph"), ids=module_name)
+def test_rooms_import_downwards(path: Path):
+    """If it failed, a step would know of files, or a file of the command line."""
+    parts = path.relative_to(ROOT / "warpsph").with_suffix("").parts
+    if parts[0] not in ROOMS:
+        return
+    above = [f"warpsph.{room}" for room in ROOMS[ROOMS.index(parts[0]) + 1 :]]
+    for module in imported_modules(path):
+        assert not any(is_inside(module, room) for room in above), f"{module_name(path)} imports {module}"
+
+
+@pytest.mark.parametrize("path", on_floor("scenarios"), ids=module_name)
+def test_scenarios_use_public_names_only(path: Path):
+    """If it failed, the engine could not change its insides without breaking scenarios."""
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Attribute) and node.attr.startswith("_") and not node.attr.startswith("__"):
+            owner = node.value.id if isinstance(node.value, ast.Name) else ""
+            assert owner in ("self", "cls", "scenario", "case"), f"{ast.unparse(node)} in line {node.lineno}"
+        if isinstance(node, ast.ImportFrom):
+            assert not any(alias.name.startswith("_") for alias in node.names), ast.unparse(node)
 
 
 @pytest.mark.parametrize("path", FILES, ids=module_name)

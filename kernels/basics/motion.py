@@ -9,20 +9,25 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 
 @wp.kernel
-def _fall(first: int, gravity: wp.vec3, acceleration: wp.array[wp.vec3]):
+def fall(first: int, gravity: wp.vec3, role: wp.array[int], acceleration: wp.array[wp.vec3]):
+    """Begin the acceleration (n,) [m/s^2] of a step: gravity for free particles, zero for all others."""
     i = wp.tid() + first
-    acceleration[i] = gravity
+    if role[i] == Role.FREE:
+        acceleration[i] = gravity
+    else:
+        acceleration[i] = wp.vec3()
 
 
 @wp.kernel
-def _kick(first: int, dt: float, role: wp.array[int], acceleration: wp.array[wp.vec3], velocity: wp.array[wp.vec3]):
+def kick(first: int, dt: float, role: wp.array[int], acceleration: wp.array[wp.vec3], velocity: wp.array[wp.vec3]):
+    """Add ``acceleration * dt`` to the velocity (n,) [m/s] of free particles."""
     i = wp.tid() + first
     if role[i] == Role.FREE:
         velocity[i] += acceleration[i] * dt
 
 
 @wp.kernel
-def _drift(
+def drift(
     first: int,
     dt: float,
     role: wp.array[int],
@@ -30,6 +35,7 @@ def _drift(
     position: wp.array[wp.vec3],
     position_carry: wp.array[wp.vec3],
 ):
+    """Add ``velocity * dt`` to the position (n,) [m], compensated, of all that is not a wall."""
     i = wp.tid() + first
     if role[i] != Role.WALL and role[i] != Role.DUMMY and role[i] != Role.RESERVOIR:
         x, carry = compensated_sum(position[i], velocity[i] * dt, position_carry[i])
@@ -38,7 +44,7 @@ def _drift(
 
 
 @wp.kernel
-def _watch(
+def watch(
     first: int,
     role: wp.array[int],
     position: wp.array[wp.vec3],
@@ -49,6 +55,11 @@ def _watch(
     outdated: wp.array[int],
     runaway: wp.array[int],
 ):
+    """Raise ``outdated`` where a particle is farther from its ``reference`` position than allowed, and note a runaway.
+
+    ``farthest_squared`` [m^2]; ``runaway`` (1,) becomes 1 + the index of a particle whose speed is not a number, or its
+    square not below ``speed_limit_squared`` [m^2/s^2].
+    """
     i = wp.tid() + first
     if role[i] != Role.RESERVOIR:
         d = position[i] - reference[i]
@@ -59,39 +70,8 @@ def _watch(
             runaway[0] = i + 1
 
 
-def fall(launch, gravity, acceleration) -> None:
-    """Begin the acceleration (n,) [m/s^2] of a step with gravity alone."""
-    launch(_fall, acceleration.shape[0], [gravity, acceleration])
-
-
-def kick(launch, dt, role, acceleration, velocity) -> None:
-    """Add ``acceleration * dt`` to the velocity (n,) [m/s] of free particles."""
-    launch(_kick, role.shape[0], [dt, role, acceleration, velocity])
-
-
-def drift(launch, dt, role, velocity, position, position_carry) -> None:
-    """Add ``velocity * dt`` to the position (n,) [m], compensated, of all that is not a wall."""
-    launch(_drift, role.shape[0], [dt, role, velocity, position, position_carry])
-
-
-def watch(launch, role, position, velocity, reference, farthest, speed_limit, outdated, runaway) -> None:
-    """Raise ``outdated`` where a particle left its ``reference`` position by ``farthest`` [m], and note a runaway.
-
-    ``runaway`` (1,) becomes 1 + the index of a particle whose speed is not below ``speed_limit`` [m/s] or not a number.
-    """
-    launch(
-        _watch,
-        role.shape[0],
-        [role, position, velocity, reference, farthest**2, speed_limit**2, outdated, runaway],
-    )
-
-
 @wp.kernel
-def _advance_clock(first: int, dt: wp.float64, time: wp.array[wp.float64], step: wp.array[int]):
-    step[0] += 1
+def advance_clock(first: int, dt: wp.float64, time: wp.array[wp.float64], steps: wp.array[int]):
+    """Advance the simulated time (1,) [s] (float64) and the number of steps (1,); one thread."""
+    steps[0] += 1
     time[0] += dt
-
-
-def advance_clock(launch, dt, time, step) -> None:
-    """Advance the simulated time (1,) [s] (float64) and the number of the step (1,)."""
-    launch.whole(_advance_clock, 1, [dt, time, step])

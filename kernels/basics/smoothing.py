@@ -14,7 +14,7 @@ Where W'(r) / r or W itself has no limit at r = 0 (spiky, sine, viscosity), the 
 All shapes and normalisations fit in single precision for supports between 1e-4 m and 10 m.
 
 Sources: Vijaykumar (2012), sections 2.4 and 4.5, after Mueller et al. (2003, 2004), with the corrections listed in
-docs/errata.md; Monaghan (1992) for the cubic spline.
+docs/errata.md; Monaghan (1992) for the cubic spline; Wendland (1995) for his C2 function.
 """
 
 import math
@@ -36,6 +36,7 @@ _COEFFICIENT_AND_POWER = {
         2: (math.pi**2 / (2.0 * (math.pi**2 - 8.0)), 3),  # Vijaykumar (4.17) is the three-dimensional one: corrected
         3: (math.pi / (8.0 * (math.pi / 3.0 - 8.0 / math.pi + 16.0 / math.pi**2)), 4),  # Vijaykumar (4.17)
     },
+    "wendland_c2": {2: (7.0 / math.pi, 7), 3: (21.0 / (2.0 * math.pi), 8)},  # Wendland (1995)
     "cubic_spline": {2: (80.0 / (7.0 * math.pi), 5), 3: (16.0 / math.pi, 6)},  # Monaghan (1992), with H = 2h
 }
 
@@ -186,3 +187,27 @@ def cubic_spline_laplacian(r_squared: float, H: float, dimension: int):
     r = wp.sqrt(r_squared)
     second = 6.0 * (wp.max(H - r, 0.0) - 4.0 * wp.max(0.5 * H - r, 0.0))
     return second + (float(dimension) - 1.0) * cubic_spline_slope(r_squared, H)
+
+
+@wp.func
+def wendland_c2_value(r_squared: float, H: float):
+    """(H - r)^4 (H + 4 r) [m^5]."""
+    r = wp.sqrt(r_squared)
+    b = wp.max(H - r, 0.0)
+    return b * b * b * b * (H + 4.0 * r)
+
+
+@wp.func
+def wendland_c2_slope(r_squared: float, H: float):
+    """-20 (H - r)^3 [m^3]."""
+    b = wp.max(H - wp.sqrt(r_squared), 0.0)
+    return -20.0 * b * b * b
+
+
+@wp.func
+def wendland_c2_laplacian(r_squared: float, H: float, dimension: int):
+    """-20 (H - r)^2 (d H - (d + 3) r) [m^3]."""
+    d = float(dimension)
+    r = wp.sqrt(r_squared)
+    b = wp.max(H - r, 0.0)
+    return -20.0 * b * b * (d * H - (d + 3.0) * r)

@@ -3,17 +3,18 @@
 import warp as wp
 
 from warpsph.kernels.basics.compensation import compensated_sum
+from warpsph.kernels.basics.roles import is_fluid
 from warpsph.kernels.basics.smoothing import spiky_slope
-from warpsph.kernels.flow.density import Fluid, is_fluid, tait_pressure
+from warpsph.kernels.flow.fluid import FluidConstants, pressure_of
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 
 @wp.kernel
-def _advance_density(
+def advance_density(
     first: int,
-    fluid: Fluid,
+    fluid: FluidConstants,
     dt: float,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
@@ -25,6 +26,11 @@ def _advance_density(
     pressure: wp.array[float],
     volume: wp.array[float],
 ):
+    """Advance the density (n,) [kg/m^3] by ``dt`` [s], compensated; write pressure [Pa] and volume [m^3 or m^2], (n,).
+
+    d rho_i / dt = rho_i sum_j V_j (u_i - u_j) . grad W with the smoothing kernel of the pressure force, so that the
+    pressure works on just those volumes that it changes (Monaghan 1994, section 2).
+    """
     i = wp.tid() + first
     if is_fluid(role[i]):
         x_i = position[i]
@@ -39,43 +45,5 @@ def _advance_density(
         rho, carry = compensated_sum(density[i], rate * dt, density_carry[i])
         density[i] = rho
         density_carry[i] = carry
-        pressure[i] = wp.max(tait_pressure(fluid, rho), fluid.lowest_pressure)
+        pressure[i] = pressure_of(fluid, rho)
         volume[i] = fluid_mass[i] / rho
-
-
-def advance_density(
-    launch,
-    fluid,
-    dt,
-    neighbours,
-    position,
-    velocity,
-    fluid_mass,
-    role,
-    density,
-    density_carry,
-    pressure,
-    volume,
-) -> None:
-    """Advance the density (n,) [kg/m^3] by ``dt`` [s], compensated; write pressure [Pa] and volume [m^3 or m^2], (n,).
-
-    d rho_i / dt = rho_i sum_j V_j (u_i - u_j) . grad W with the smoothing kernel of the pressure force, so that the
-    pressure works on just those volumes that it changes (Monaghan 1994, section 2).
-    """
-    launch(
-        _advance_density,
-        position.shape[0],
-        [
-            fluid,
-            dt,
-            neighbours,
-            position,
-            velocity,
-            fluid_mass,
-            role,
-            density,
-            density_carry,
-            pressure,
-            volume,
-        ],
-    )

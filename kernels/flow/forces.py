@@ -1,19 +1,19 @@
-"""Acceleration of the fluid: pressure, viscosity and gravity in one sweep over the neighbours."""
+"""Acceleration of the fluid: pressure and viscosity in one sweep over the neighbours."""
 
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import spiky_slope, viscosity_laplacian
-from warpsph.kernels.flow.density import Fluid
+from warpsph.kernels.flow.fluid import FluidConstants
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
 
 @wp.kernel
-def _sum_forces(
+def add_fluid_forces(
     first: int,
-    fluid: Fluid,
+    fluid: FluidConstants,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     velocity: wp.array[wp.vec3],
@@ -24,6 +24,11 @@ def _sum_forces(
     role: wp.array[int],
     acceleration: wp.array[wp.vec3],
 ):
+    """Add the acceleration (n,) [m/s^2] of every free particle by pressure and viscosity.
+
+    Vijaykumar (2012), equations (2.3), (2.5), (2.6). Bonded pairs do not press on each other: their bond does.
+    ``viscosity`` (n,) [Pa s] enters a pair as the harmonic mean; a wall without viscosity lets the fluid slip.
+    """
     i = wp.tid() + first
     if role[i] == Role.FREE:
         x_i = position[i]
@@ -47,19 +52,4 @@ def _sum_forces(
                 laplacian = viscosity_laplacian(r_squared, fluid.support)
                 viscous_sum += (velocity[j] - u_i) * (mu_ij * volume[j] * laplacian)
         force = viscous_sum * fluid.viscosity_scale - pressure_sum * fluid.pressure_scale
-        acceleration[i] = force / density[i] + fluid.gravity  # Vijaykumar (2.6)
-
-
-def sum_forces(
-    launch, fluid, neighbours, position, velocity, density, pressure, volume, viscosity, role, acceleration
-) -> None:
-    """Write the acceleration (n,) [m/s^2] of every free particle by pressure, viscosity and gravity.
-
-    Vijaykumar (2012), equations (2.3), (2.5), (2.6). Bonded pairs do not press on each other: their bond does.
-    ``viscosity`` (n,) [Pa s] enters a pair as the harmonic mean; a wall without viscosity lets the fluid slip.
-    """
-    launch(
-        _sum_forces,
-        position.shape[0],
-        [fluid, neighbours, position, velocity, density, pressure, volume, viscosity, role, acceleration],
-    )
+        acceleration[i] = force / density[i] + acceleration[i]  # Vijaykumar (2.6)

@@ -18,7 +18,7 @@ SPRAY = wp.constant(0.3)  # colour below which a few particles fly by themselves
 
 
 @wp.struct
-class Surface:
+class SurfaceConstants:
     """Constants of the surface.
 
     ``support`` H [m]; ``scale`` normalisation of the poly6 kernel over rho_0, which makes volumes of masses;
@@ -34,16 +34,21 @@ class Surface:
 
 
 @wp.kernel
-def _find_surface_normal(
+def find_surface_normal(
     first: int,
-    surface: Surface,
+    surface: SurfaceConstants,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     fluid_mass: wp.array[float],
     role: wp.array[int],
     phase: wp.array[int],
-    normal: wp.array[wp.vec3],
+    surface_normal: wp.array[wp.vec3],
 ):
+    """Write the gradient (n,) [1/m] of the colour field less the threshold; 0 for all that is not liquid at a surface.
+
+    All neighbours with a ``fluid_mass`` (n,) [kg] count for the colour field, so that a surface is where there is
+    nothing beyond: not at a wall, and not where melt touches its shell.
+    """
     i = wp.tid() + first
     n_i = wp.vec3()
     if role[i] == Role.FREE and phase[i] != Phase.SOLID:
@@ -59,21 +64,26 @@ def _find_surface_normal(
         steepness = wp.length(gradient) * surface.scale
         if steepness > surface.threshold and colour * surface.scale > SPRAY:
             n_i = gradient * (surface.scale * (1.0 - surface.threshold / steepness))
-    normal[i] = n_i
+    surface_normal[i] = n_i
 
 
 @wp.kernel
-def _add_surface_tension(
+def add_surface_tension(
     first: int,
-    surface: Surface,
+    surface: SurfaceConstants,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     fluid_mass: wp.array[float],
-    normal: wp.array[wp.vec3],
+    surface_normal: wp.array[wp.vec3],
     acceleration: wp.array[wp.vec3],
 ):
+    """Add the acceleration (n,) [m/s^2] of liquid particles at a surface, with ``surface_normal`` as found above.
+
+    The curvature is the turn of the unit normals t_j - t_i along the surface over the way along it, both weighted with
+    the steepness of the neighbour: on a sphere whose normals are exact it is exact.
+    """
     i = wp.tid() + first
-    n_i = normal[i]
+    n_i = surface_normal[i]
     if wp.dot(n_i, n_i) > 0.0:
         x_i = position[i]
         t_i = wp.normalize(n_i)
@@ -81,7 +91,7 @@ def _add_surface_tension(
         spread = float(0.0)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            n_j = normal[j]
+            n_j = surface_normal[j]
             steepness = wp.length(n_j)
             if steepness > 0.0:
                 d = x_i - position[j]
@@ -96,29 +106,3 @@ def _add_surface_tension(
             inside = wp.clamp(turn / spread, -sharpest, sharpest)
             # normals at this depth converge on the same centre over a smaller radius
             acceleration[i] += n_i * (surface.strength * inside / (1.0 + inside * surface.depth))
-
-
-def find_surface_normal(launch, surface, neighbours, position, fluid_mass, role, phase, normal) -> None:
-    """Write the gradient (n,) [1/m] of the colour field less the threshold; 0 for all that is not liquid at a surface.
-
-    All neighbours with a ``fluid_mass`` (n,) [kg] count for the colour field, so that a surface is where there is
-    nothing beyond: not at a wall, and not where melt touches its shell.
-    """
-    launch(
-        _find_surface_normal,
-        position.shape[0],
-        [surface, neighbours, position, fluid_mass, role, phase, normal],
-    )
-
-
-def add_surface_tension(launch, surface, neighbours, position, fluid_mass, normal, acceleration) -> None:
-    """Add the acceleration (n,) [m/s^2] of liquid particles at a surface, with ``normal`` as found above.
-
-    The curvature is the turn of the unit normals t_j - t_i along the surface over the way along it, both weighted with
-    the steepness of the neighbour: on a sphere whose normals are exact it is exact.
-    """
-    launch(
-        _add_surface_tension,
-        position.shape[0],
-        [surface, neighbours, position, fluid_mass, normal, acceleration],
-    )

@@ -29,7 +29,7 @@ class ThermalTable:
 
 
 @wp.kernel
-def _sum_heat(
+def sum_heat(
     first: int,
     table: ThermalTable,
     neighbours: NeighbourList,
@@ -43,6 +43,12 @@ def _sum_heat(
     material: wp.array[int],
     heat_rate: wp.array[float],
 ):
+    """Write the heat that flows into each particle, ``heat_rate`` (n,) [W] (per metre of depth in 2D).
+
+    Vijaykumar (2012), equation (3.2), with the harmonic mean of the conductivities [W/(m K)]; antisymmetric in each
+    pair, so that no heat is lost. ``thermal_volume`` (n,) is the mass over the material's density; ``scale`` is the
+    normalisation of the smoothing kernel.
+    """
     i = wp.tid() + first
     x_i = position[i]
     T_i = temperature[i]
@@ -73,9 +79,9 @@ def temperature_of(table: ThermalTable, material: int, enthalpy: float) -> float
 
 
 @wp.kernel
-def _add_heat(
+def add_heat(
     first: int,
-    dt: float,
+    interval: float,
     role: wp.array[int],
     heat_rate: wp.array[float],
     mass: wp.array[float],
@@ -84,18 +90,22 @@ def _add_heat(
     enthalpy_carry: wp.array[float],
     heat_held: wp.array[wp.float64],
 ):
+    """Add the heat of ``interval`` [s] to the enthalpy (n,) [J/kg], compensated.
+
+    Where ``held`` is not zero the temperature stays and the heat goes to ``heat_held`` (n,) [J] (float64) instead.
+    """
     i = wp.tid() + first
     if role[i] != Role.RESERVOIR:
         if held[i] != 0:
-            heat_held[i] += wp.float64(heat_rate[i] * dt)
+            heat_held[i] += wp.float64(heat_rate[i] * interval)
         else:
-            h, carry = compensated_sum(enthalpy[i], heat_rate[i] * dt / mass[i], enthalpy_carry[i])
+            h, carry = compensated_sum(enthalpy[i], heat_rate[i] * interval / mass[i], enthalpy_carry[i])
             enthalpy[i] = h
             enthalpy_carry[i] = carry
 
 
 @wp.kernel
-def _update_temperature(
+def update_temperature(
     first: int,
     table: ThermalTable,
     material: wp.array[int],
@@ -104,6 +114,11 @@ def _update_temperature(
     solid_fraction: wp.array[float],
     conductivity: wp.array[float],
 ):
+    """Write temperature [K], solid fraction and conductivity [W/(m K)] (n,) from the enthalpy [J/kg].
+
+    Temperature is piecewise linear in enthalpy (Vijaykumar 2012, figure 3.1); the solid fraction falls linearly from
+    solidus to liquidus.
+    """
     i = wp.tid() + first
     m = material[i]
     T = temperature_of(table, m, enthalpy[i])
@@ -111,63 +126,3 @@ def _update_temperature(
     temperature[i] = T
     solid_fraction[i] = solid
     conductivity[i] = solid * table.conductivity_solid[m] + (1.0 - solid) * table.conductivity_liquid[m]
-
-
-def sum_heat(
-    launch,
-    table,
-    neighbours,
-    support,
-    scale,
-    position,
-    role,
-    temperature,
-    conductivity,
-    thermal_volume,
-    material,
-    heat_rate,
-) -> None:
-    """Write the heat that flows into each particle, ``heat_rate`` (n,) [W] (per metre of depth in 2D).
-
-    Vijaykumar (2012), equation (3.2), with the harmonic mean of the conductivities [W/(m K)]; antisymmetric in each
-    pair, so that no heat is lost. ``thermal_volume`` (n,) is the mass over the material's density; ``scale`` is the
-    normalisation of the smoothing kernel.
-    """
-    launch(
-        _sum_heat,
-        position.shape[0],
-        [
-            table,
-            neighbours,
-            support,
-            scale,
-            position,
-            role,
-            temperature,
-            conductivity,
-            thermal_volume,
-            material,
-            heat_rate,
-        ],
-    )
-
-
-def add_heat(launch, dt, role, heat_rate, mass, held, enthalpy, enthalpy_carry, heat_held) -> None:
-    """Add the heat of ``dt`` [s] to the enthalpy (n,) [J/kg], compensated.
-
-    Where ``held`` is not zero the temperature stays and the heat goes to ``heat_held`` (n,) [J] (float64) instead.
-    """
-    launch(_add_heat, role.shape[0], [dt, role, heat_rate, mass, held, enthalpy, enthalpy_carry, heat_held])
-
-
-def update_temperature(launch, table, material, enthalpy, temperature, solid_fraction, conductivity) -> None:
-    """Write temperature [K], solid fraction and conductivity [W/(m K)] (n,) from the enthalpy [J/kg].
-
-    Temperature is piecewise linear in enthalpy (Vijaykumar 2012, figure 3.1); the solid fraction falls linearly from
-    solidus to liquidus.
-    """
-    launch(
-        _update_temperature,
-        material.shape[0],
-        [table, material, enthalpy, temperature, solid_fraction, conductivity],
-    )

@@ -2,13 +2,14 @@
 
 import warp as wp
 
-from warpsph.kernels.basics.labels import Phase, Role
+from warpsph.kernels.basics.labels import Phase
+from warpsph.kernels.basics.roles import is_fluid
 
 wp.set_module_options({"enable_backward": False})
 
 
 @wp.kernel
-def _switch_phase(
+def switch_phase(
     first: int,
     freeze_above: float,
     melt_below: float,
@@ -16,32 +17,24 @@ def _switch_phase(
     solid_fraction: wp.array[float],
     phase: wp.array[int],
     froze: wp.array[int],
-    changed: wp.array[int],
+    phase_changed: wp.array[int],
 ):
+    """Write ``phase`` (n,) from the solid fraction, with hysteresis between ``melt_below`` and ``freeze_above``.
+
+    ``froze`` (n,) marks the particles that turned solid now; ``phase_changed`` (1,) is raised where any one turned.
+    Vijaykumar (2012), chapter 4.
+    """
     i = wp.tid() + first
     froze[i] = 0
-    if role[i] == Role.FREE or role[i] == Role.OUTFLOW or role[i] == Role.INFLOW:
+    if is_fluid(role[i]):
         was_solid = phase[i] == Phase.SOLID
         f = solid_fraction[i]
         if f > freeze_above or (was_solid and f >= melt_below):
             phase[i] = Phase.SOLID
             if not was_solid:
                 froze[i] = 1
-                changed[0] = 1
+                phase_changed[0] = 1
         else:
             phase[i] = wp.where(f > 0.0, Phase.MUSHY, Phase.LIQUID)
             if was_solid:
-                changed[0] = 1
-
-
-def switch_phase(launch, freeze_above, melt_below, role, solid_fraction, phase, froze, changed) -> None:
-    """Write ``phase`` (n,) from the solid fraction, with hysteresis between ``melt_below`` and ``freeze_above``.
-
-    ``froze`` (n,) marks the particles that turned solid now; ``changed`` (1,) is raised where any particle turned.
-    Vijaykumar (2012), chapter 4.
-    """
-    launch(
-        _switch_phase,
-        role.shape[0],
-        [freeze_above, melt_below, role, solid_fraction, phase, froze, changed],
-    )
+                phase_changed[0] = 1

@@ -11,8 +11,9 @@ wp.set_module_options({"enable_backward": False})
 class Exchange:
     """What changes of a particle when it enters or leaves, each (n,), and what the ledger keeps of its passages.
 
-    ``entries``, ``exits`` count passages; ``heat_entered``, ``heat_left`` [J] (float64) are the enthalpies it carried.
-    ``reference`` is the position at which the neighbour list was made; ``phase_changed`` (1,) asks for new bonds.
+    ``entered`` marks what has just come in; ``entries``, ``exits`` count passages; ``heat_entered``, ``heat_left`` [J]
+    (float64) are the enthalpies that these carried. ``reference`` is the position at which the neighbour list was made;
+    ``phase_changed`` (1,) asks for new bonds.
 
     Neither an entry nor an exit needs a new neighbour list at once: what has left weighs nothing and takes up no room
     until it comes back, and what enters has no neighbours until it has moved.
@@ -29,6 +30,7 @@ class Exchange:
     fluid_mass: wp.array[float]
     volume: wp.array[float]
     reference: wp.array[wp.vec3]
+    entered: wp.array[int]
     entries: wp.array[int]
     exits: wp.array[int]
     heat_entered: wp.array[wp.float64]
@@ -49,6 +51,7 @@ def bring_in(exchange: Exchange, i: int, role: int, position: wp.vec3, velocity:
     exchange.enthalpy_carry[i] = 0.0
     if role != Role.SPRAY:
         exchange.fluid_mass[i] = exchange.mass[i]
+    exchange.entered[i] = 1
     exchange.entries[i] += 1
     exchange.heat_entered[i] += wp.float64(exchange.mass[i]) * wp.float64(enthalpy)
 

@@ -10,7 +10,7 @@ PARTS = 128  # partial sums; their order of summation does not depend on the num
 
 
 @wp.struct
-class Flow:
+class GaugeConstants:
     """Constants of the level gauge and of the flow control.
 
     ``low``, ``high`` corners of the weighed column [m]; ``mass_per_height`` of the full column [kg/m];
@@ -30,14 +30,15 @@ class Flow:
 
 
 @wp.kernel
-def _weigh(
+def weigh(
     first: int,
-    flow: Flow,
+    gauge: GaugeConstants,
     role: wp.array[int],
     position: wp.array[wp.vec3],
     mass: wp.array[float],
     parts: wp.array[wp.float64],
 ):
+    """Weigh the free particles of the column, in ``PARTS`` partial sums ``parts`` (PARTS,) [kg]."""
     part = wp.tid() + first
     n = role.shape[0]
     length = (n + wp.static(PARTS) - 1) / wp.static(PARTS)
@@ -47,7 +48,7 @@ def _weigh(
             x = position[i]
             inside = bool(True)
             for axis in range(3):
-                if x[axis] < flow.low[axis] or x[axis] > flow.high[axis]:
+                if x[axis] < gauge.low[axis] or x[axis] > gauge.high[axis]:
                     inside = False
             if inside:
                 total += wp.float64(mass[i])
@@ -55,24 +56,19 @@ def _weigh(
 
 
 @wp.kernel
-def _control(first: int, interval: float, flow: Flow, parts: wp.array[wp.float64], speeds: wp.array[float]):
+def control(first: int, interval: float, gauge: GaugeConstants, parts: wp.array[wp.float64], speeds: wp.array[float]):
+    """Update ``speeds`` (3,): level of the melt [m], casting speed [m/s], pouring speed [m/s]; one thread.
+
+    The level is the height of a column of reference density as heavy as the particles weighed in it, smoothed in time.
+    The strand leaves with v = k p (Vijaykumar 2012, equation 6.2); the melt enters at the rate of the outflow, raised
+    in proportion to the shortage of level.
+    """
     total = wp.float64(0.0)
     for part in range(wp.static(PARTS)):
         total += parts[part]
     level = speeds[0]
-    level += (float(total) / flow.mass_per_height - level) * wp.min(interval / flow.response, 1.0)
+    level += (float(total) / gauge.mass_per_height - level) * wp.min(interval / gauge.response, 1.0)
     speeds[0] = level
-    speeds[1] = flow.outflow_coefficient * flow.pressure_per_height * level  # Vijaykumar (6.2)
-    shortage = (flow.target_level - level) / flow.target_level
-    speeds[2] = wp.max(speeds[1] * flow.area_ratio * (1.0 + flow.gain * shortage), 0.0)
-
-
-def measure_level(launch, interval, flow, role, position, mass, parts, speeds) -> None:
-    """Update ``speeds`` (3,): level of the melt [m], casting speed [m/s], pouring speed [m/s].
-
-    The level is the height of a column of reference density as heavy as the free particles in it, smoothed in time.
-    The strand leaves with v = k p (Vijaykumar 2012, equation 6.2); the melt enters at the rate of the outflow, raised
-    in proportion to the shortage of level. ``parts`` (PARTS,) is scratch (float64).
-    """
-    launch(_weigh, PARTS, [flow, role, position, mass, parts])
-    launch.whole(_control, 1, [interval, flow, parts, speeds])
+    speeds[1] = gauge.outflow_coefficient * gauge.pressure_per_height * level  # Vijaykumar (6.2)
+    shortage = (gauge.target_level - level) / gauge.target_level
+    speeds[2] = wp.max(speeds[1] * gauge.area_ratio * (1.0 + gauge.gain * shortage), 0.0)

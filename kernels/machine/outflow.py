@@ -9,7 +9,7 @@ wp.set_module_options({"enable_backward": False})
 
 
 @wp.kernel
-def _hold_zone(
+def hold_zone(
     first: int,
     pressure_per_height: float,
     speeds: wp.array[float],
@@ -18,6 +18,7 @@ def _hold_zone(
     velocity: wp.array[wp.vec3],
     pressure: wp.array[float],
 ):
+    """Give the outflow zone the casting speed ``speeds[1]`` and the pressure below a level of ``speeds[0]``."""
     i = wp.tid() + first
     if role[i] == Role.OUTFLOW:
         pressure[i] = wp.max(pressure_per_height * (speeds[0] - position[i][1]), 0.0)
@@ -25,7 +26,8 @@ def _hold_zone(
 
 
 @wp.kernel
-def _pass_on(first: int, begin: float, end: float, width: float, exchange: Exchange):
+def pass_on(first: int, begin: float, end: float, width: float, exchange: Exchange):
+    """Take particles into the zone below ``begin`` [m] (x, z below ``width`` [m]), and out of the run below ``end``."""
     i = wp.tid() + first
     role = exchange.role[i]
     if role == Role.FREE or role == Role.OUTFLOW:
@@ -34,13 +36,3 @@ def _pass_on(first: int, begin: float, end: float, width: float, exchange: Excha
             take_out(exchange, i)
         elif role == Role.FREE and x[1] < begin and wp.max(x[0], x[2]) < width:
             exchange.role[i] = Role.OUTFLOW
-
-
-def hold_zone(launch, pressure_per_height, speeds, role, position, velocity, pressure) -> None:
-    """Give the outflow zone the casting speed ``speeds[1]`` and the pressure below a level of ``speeds[0]``."""
-    launch(_hold_zone, role.shape[0], [pressure_per_height, speeds, role, position, velocity, pressure])
-
-
-def pass_on(launch, begin, end, width, exchange) -> None:
-    """Take particles into the zone below ``begin`` [m] (x, z below ``width`` [m]), and out of the run below ``end``."""
-    launch(_pass_on, exchange.role.shape[0], [begin, end, width, exchange])

@@ -8,7 +8,7 @@ wp.set_module_options({"enable_backward": False})
 
 
 @wp.kernel
-def _slow_down(
+def slow_down(
     first: int,
     dt: float,
     rate: float,
@@ -17,11 +17,7 @@ def _slow_down(
     role: wp.array[int],
     velocity: wp.array[wp.vec3],
 ):
+    """Slow free particles down by exp(-``rate`` dt) while ``time`` (1,) [s] is less than ``until`` [s]."""
     i = wp.tid() + first
     if role[i] == Role.FREE and time[0] < until:
         velocity[i] = velocity[i] * wp.exp(-rate * dt)
-
-
-def slow_down(launch, dt, rate, until, time, role, velocity) -> None:
-    """Slow free particles down by exp(-``rate`` dt) while ``time`` (1,) [s] is less than ``until`` [s]."""
-    launch(_slow_down, role.shape[0], [dt, rate, until, time, role, velocity])

@@ -14,7 +14,7 @@ PLASTIC_RATIO = wp.constant(wp.float64(0.7548776662466927))
 
 
 @wp.struct
-class Zones:
+class SprayZones:
     """The zones, each (zones,): ``low``, ``high`` ends [m]; ``rate`` [particles/s]; ``off`` time of failure [s]."""
 
     low: wp.array[float]
@@ -24,7 +24,7 @@ class Zones:
 
 
 @wp.struct
-class Water:
+class WaterConstants:
     """``nozzle`` x, or z, of the nozzles [m]; ``speed`` [m/s]; ``reach`` contact distance [m]; ``lost`` x and z behind
     which water has missed the strand [m]; ``breadth`` of the faces [m], 0 in the plane; ``enthalpy`` when sprayed and
     when ``boiled`` [J/kg]; its ``material``."""
@@ -40,7 +40,7 @@ class Water:
 
 
 @wp.func
-def flight(water: Water, x: wp.vec3) -> wp.vec3:
+def flight(water: WaterConstants, x: wp.vec3) -> wp.vec3:
     """Velocity of water at ``x`` on its way to the face before it."""
     velocity = wp.vec3(-water.speed, 0.0, 0.0)
     if water.breadth > 0.0 and x[2] > x[0]:
@@ -49,7 +49,7 @@ def flight(water: Water, x: wp.vec3) -> wp.vec3:
 
 
 @wp.func
-def distance(water: Water, x: wp.vec3) -> float:
+def distance(water: WaterConstants, x: wp.vec3) -> float:
     """Distance of water at ``x`` from the axis, along its flight."""
     away = x[0]
     if water.breadth > 0.0:
@@ -58,11 +58,11 @@ def distance(water: Water, x: wp.vec3) -> float:
 
 
 @wp.kernel
-def _emit(
+def emit(
     first: int,
     interval: float,
-    zones: Zones,
-    water: Water,
+    zones: SprayZones,
+    water: WaterConstants,
     time: wp.array[wp.float64],
     reservoir_start: wp.array[int],
     due: wp.array[float],
@@ -70,6 +70,11 @@ def _emit(
     missing: wp.array[int],
     exchange: Exchange,
 ):
+    """Spray the water that is due since the last time (Vijaykumar 2012, section 6.4); one thread.
+
+    ``due`` (zones,) is the fraction of the next particle; ``sprayed`` (zones,) counts particles; ``missing`` (1,) those
+    that the reservoir could not give.
+    """
     place = reservoir_start[water.material]
     end = reservoir_start[water.material + 1]
     for zone in range(zones.rate.shape[0]):
@@ -96,7 +101,8 @@ def _emit(
 
 
 @wp.kernel
-def _ride(first: int, water: Water, neighbours: NeighbourList, exchange: Exchange):
+def ride(first: int, water: WaterConstants, neighbours: NeighbourList, exchange: Exchange):
+    """Let water fly, and ride on the nearest free particle within its reach."""
     i = wp.tid() + first
     if exchange.role[i] == Role.SPRAY:
         x_i = exchange.position[i]
@@ -112,21 +118,10 @@ def _ride(first: int, water: Water, neighbours: NeighbourList, exchange: Exchang
 
 
 @wp.kernel
-def _boil(first: int, water: Water, exchange: Exchange):
+def boil(first: int, water: WaterConstants, exchange: Exchange):
+    """Take out the water that has boiled, or missed the strand."""
     i = wp.tid() + first
     if exchange.role[i] == Role.SPRAY and (
         exchange.enthalpy[i] >= water.boiled or distance(water, exchange.position[i]) < water.lost
     ):
         take_out(exchange, i)
-
-
-def spray(launch, interval, zones, water, neighbours, time, reservoir_start, due, sprayed, missing, exchange) -> None:
-    """Fly, ride, boil and spray again (Vijaykumar 2012, section 6.4).
-
-    ``due`` (zones,) is the fraction of the next particle; ``sprayed`` (zones,) counts particles; ``missing`` (1,) those
-    that the reservoir could not give.
-    """
-    n = exchange.role.shape[0]
-    launch(_ride, n, [water, neighbours, exchange])
-    launch(_boil, n, [water, exchange])
-    launch.whole(_emit, 1, [interval, zones, water, time, reservoir_start, due, sprayed, missing, exchange])

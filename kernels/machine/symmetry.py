@@ -8,7 +8,7 @@ wp.set_module_options({"enable_backward": False})
 
 
 @wp.kernel
-def _reflect(
+def reflect(
     first: int,
     dt: float,
     normal: wp.vec3,
@@ -19,6 +19,11 @@ def _reflect(
     position: wp.array[wp.vec3],
     velocity: wp.array[wp.vec3],
 ):
+    """Reflect free particles that are behind the plane ``x . normal = offset`` [m]; ``normal`` points inside.
+
+    Solid ones within ``reach`` [m] are kept from moving across it by the step of ``dt`` [s] behind them, as their bonds
+    with their mirror images would: an edge that could be drawn away from the plane would let melt through.
+    """
     i = wp.tid() + first
     if role[i] == Role.FREE:
         depth = wp.dot(position[i], normal) - offset
@@ -29,12 +34,3 @@ def _reflect(
         elif depth < 0.0:
             position[i] -= 2.0 * depth * normal
             velocity[i] -= 2.0 * wp.dot(velocity[i], normal) * normal
-
-
-def reflect(launch, dt, normal, offset, reach, role, phase, position, velocity) -> None:
-    """Reflect free particles that are behind the plane ``x . normal = offset`` [m]; ``normal`` points inside.
-
-    Solid ones within ``reach`` [m] are kept from moving across it by the step of ``dt`` [s] behind them, as their bonds
-    with their mirror images would: an edge that could be drawn away from the plane would let melt through.
-    """
-    launch(_reflect, role.shape[0], [dt, wp.vec3(*normal), offset, reach, role, phase, position, velocity])

@@ -34,7 +34,7 @@ def cell_of(grid: Grid, x: wp.vec3) -> wp.vec3i:
 
 
 @wp.kernel
-def _find_cells(
+def find_cells(
     first: int,
     grid: Grid,
     position: wp.array[wp.vec3],
@@ -42,6 +42,7 @@ def _find_cells(
     material: wp.array[int],
     cell: wp.array[int],
 ):
+    """Write the ``cell`` (n,) of each particle; behind the grid there is one cell a material for the reservoir."""
     i = wp.tid() + first
     if role[i] == Role.RESERVOIR:
         cell[i] = grid.nx * grid.ny * grid.nz + material[i]
@@ -51,30 +52,31 @@ def _find_cells(
 
 
 @wp.kernel
-def _clear(first: int, values: wp.array[int]):
+def clear(first: int, values: wp.array[int]):
+    """Set ``values`` (n,) to zero."""
     values[wp.tid() + first] = 0
 
 
 @wp.kernel
-def _count(first: int, cell: wp.array[int], count: wp.array[int], rank: wp.array[int]):
+def count_particles(first: int, cell: wp.array[int], start: wp.array[int], rank: wp.array[int]):
+    """Count the particles of every cell into ``start`` (cells + 1,), one place further on; not to be cut into slices.
+
+    ``rank`` (n,) numbers the particles of a cell, in any order.
+    """
     i = wp.tid() + first
-    rank[i] = wp.atomic_add(count, cell[i] + 1, 1)
+    rank[i] = wp.atomic_add(start, cell[i] + 1, 1)
 
 
 @wp.kernel
-def _running_sum(first: int, values: wp.array[int], length: int):
-    for i in range(first + 1, length):
-        values[i] += values[i - 1]
-
-
-@wp.kernel
-def _place(first: int, cell: wp.array[int], start: wp.array[int], rank: wp.array[int], order: wp.array[int]):
+def place_particles(first: int, cell: wp.array[int], start: wp.array[int], rank: wp.array[int], order: wp.array[int]):
+    """Write into ``order`` (n,) which particle shall stand at each place; ``start`` is by now a running sum."""
     i = wp.tid() + first
     order[start[cell[i]] + rank[i]] = i
 
 
 @wp.kernel
-def _sort_within_cells(first: int, start: wp.array[int], order: wp.array[int]):
+def sort_within_cells(first: int, start: wp.array[int], order: wp.array[int]):
+    """Order the particles of each cell by their present place, so that the result is reproducible."""
     c = wp.tid() + first
     for a in range(start[c] + 1, start[c + 1]):
         moved = order[a]
@@ -83,28 +85,3 @@ def _sort_within_cells(first: int, start: wp.array[int], order: wp.array[int]):
             order[b + 1] = order[b]
             b -= 1
         order[b + 1] = moved
-
-
-def sort_into_cells(launch, grid: Grid, position, role, material, cell, rank, start, order) -> None:
-    """Order particles by cell, and within a cell by their present place, so that the result is reproducible.
-
-    Particles in the reservoir come last, by material: behind the cells of the grid, ``start`` has one cell a material.
-
-    Args:
-        launch: the executor.
-        grid: the cells.
-        position: (n,) [m]; role: (n,); material: (n,).
-        cell, rank: (n,) scratch.
-        start: (cells + materials + 1,) index of each cell's first particle in ``order``.
-        order: (n,) on return the present index of the particle that shall stand at each place.
-    """
-    n = position.shape[0]
-    launch(_find_cells, n, [grid, position, role, material, cell])
-    launch(_clear, start.shape[0], [start])
-    launch.whole(_count, n, [cell, start, rank])
-    if launch.on_cuda:
-        wp.utils.array_scan(start, start, inclusive=True)
-    else:
-        launch.whole(_running_sum, 1, [start, start.shape[0]])
-    launch(_place, n, [cell, start, rank, order])
-    launch(_sort_within_cells, start.shape[0] - 1, [start, order])

@@ -10,7 +10,7 @@ wp.set_module_options({"enable_backward": False})
 
 
 @wp.kernel
-def _list_neighbours(
+def list_neighbours(
     first: int,
     grid: Grid,
     start: wp.array[int],
@@ -20,6 +20,11 @@ def _list_neighbours(
     neighbours: NeighbourList,
     longest_row: wp.array[int],
 ):
+    """Write every pair closer than ``radius`` [m] into the rows of both (pairs of dummies excepted).
+
+    Particles must stand in the order of their cells. A row that would overflow is cut and its full length goes to
+    ``longest_row`` (1,), which the host must look at.
+    """
     i = wp.tid() + first
     n = int(0)
     if role[i] != Role.RESERVOIR:
@@ -45,21 +50,8 @@ def _list_neighbours(
     neighbours.count[i] = wp.min(n, neighbours.capacity)
 
 
-def list_neighbours(launch, grid, start, position, role, radius, neighbours, longest_row) -> None:
-    """Write every pair closer than ``radius`` [m] into the rows of both (pairs of dummies excepted).
-
-    Particles must stand in the order of their cells. A row that would overflow is cut and its full length goes to
-    ``longest_row`` (1,), which the host must look at.
-    """
-    launch(_list_neighbours, position.shape[0], [grid, start, position, role, radius, neighbours, longest_row])
-
-
 @wp.kernel
-def _clear_flag(first: int, flag: wp.array[int], counter: wp.array[int]):
+def clear_flag(first: int, flag: wp.array[int], counter: wp.array[int]):
+    """Set ``flag`` (1,) to zero and count the event in ``counter`` (1,); one thread."""
     flag[0] = 0
     counter[0] += 1
-
-
-def clear_flag(launch, flag, counter) -> None:
-    """Set ``flag`` (1,) to zero and count the event in ``counter`` (1,)."""
-    launch.whole(_clear_flag, 1, [flag, counter])

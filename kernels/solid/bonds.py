@@ -31,7 +31,7 @@ def copy_bond(bonds: BondList, source: int, target: BondList, place: int):
 
 
 @wp.kernel
-def _update_bonds(
+def update_bonds(
     first: int,
     reach: float,
     scale: float,
@@ -40,8 +40,14 @@ def _update_bonds(
     phase: wp.array[int],
     froze: wp.array[int],
     bonds: BondList,
-    longest_row: wp.array[int],
+    longest_bond_row: wp.array[int],
 ):
+    """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``.
+
+    A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
+    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is
+    cut and its full length goes to ``longest_bond_row`` (1,).
+    """
     i = wp.tid() + first
     n = int(0)
     if phase[i] == Phase.SOLID:
@@ -64,12 +70,13 @@ def _update_bonds(
                         bonds.value[row + n] = scale * sine_value(wp.dot(d, d), reach)
                     n += 1
         if n > bonds.capacity:
-            wp.atomic_max(longest_row, 0, n)
+            wp.atomic_max(longest_bond_row, 0, n)
     bonds.count[i] = wp.min(n, bonds.capacity)
 
 
 @wp.kernel
-def _mark_bonded_neighbours(first: int, neighbours: NeighbourList, bonds: BondList):
+def mark_bonded_neighbours(first: int, neighbours: NeighbourList, bonds: BondList):
+    """Mark in the neighbour list which pairs are bonded."""
     i = wp.tid() + first
     for k in range(neighbours.count[i]):
         place = i * neighbours.row_stride + k * neighbours.entry_stride
@@ -83,7 +90,8 @@ def _mark_bonded_neighbours(first: int, neighbours: NeighbourList, bonds: BondLi
 
 
 @wp.kernel
-def _move_bonds(first: int, order: wp.array[int], place: wp.array[int], bonds: BondList, target: BondList):
+def move_bonds(first: int, order: wp.array[int], place: wp.array[int], bonds: BondList, target: BondList):
+    """Write into ``target`` the rows of bonds in their new ``order``, the partners by their new ``place``."""
     i = wp.tid() + first
     old = order[i]
     for b in range(bonds.count[old]):
@@ -94,29 +102,9 @@ def _move_bonds(first: int, order: wp.array[int], place: wp.array[int], bonds: B
 
 
 @wp.kernel
-def _copy_bonds(first: int, bonds: BondList, target: BondList):
+def copy_bonds(first: int, bonds: BondList, target: BondList):
+    """Copy all rows of bonds."""
     i = wp.tid() + first
     target.count[i] = bonds.count[i]
     for b in range(bonds.count[i]):
         copy_bond(bonds, i * bonds.capacity + b, target, i * bonds.capacity + b)
-
-
-def update_bonds(launch, reach, scale, neighbours, position, phase, froze, bonds, longest_row) -> None:
-    """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``.
-
-    A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
-    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is
-    cut and its full length goes to ``longest_row`` (1,).
-    """
-    launch(_update_bonds, position.shape[0], [reach, scale, neighbours, position, phase, froze, bonds, longest_row])
-
-
-def mark_bonded_neighbours(launch, neighbours, bonds) -> None:
-    """Mark in the neighbour list which pairs are bonded."""
-    launch(_mark_bonded_neighbours, neighbours.count.shape[0], [neighbours, bonds])
-
-
-def reorder_bonds(launch, order, place, bonds, spare) -> None:
-    """Move the rows of bonds with their particles and rename the partners; ``spare`` is a bond list to work in."""
-    launch(_move_bonds, order.shape[0], [order, place, bonds, spare])
-    launch(_copy_bonds, order.shape[0], [spare, bonds])

@@ -10,7 +10,7 @@ wp.set_module_options({"enable_backward": False})
 
 
 @wp.struct
-class Contact:
+class ContactConstants:
     """Constants of the contact: ``reach`` [m] of a particle, and the force ``strength`` [N], [N/m] in 2D, of a pair."""
 
     reach: float
@@ -18,9 +18,9 @@ class Contact:
 
 
 @wp.kernel
-def _add_contact_force(
+def add_contact_forces(
     first: int,
-    contact: Contact,
+    contact: ContactConstants,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     role: wp.array[int],
@@ -28,6 +28,12 @@ def _add_contact_force(
     mass: wp.array[float],
     acceleration: wp.array[wp.vec3],
 ):
+    """Add the contact of particles of different bodies to ``acceleration`` (n,) [m/s^2].
+
+    Two particles closer than the reach push each other apart with ``strength (1 - r / reach)^4``: the force has an
+    energy, is equal and opposite, and fades so smoothly that surfaces made of particles slide over each other almost
+    without friction. A body does not feel itself.
+    """
     i = wp.tid() + first
     if role[i] == Role.FREE:
         x_i = position[i]
@@ -40,17 +46,3 @@ def _add_contact_force(
                 depth = wp.max(1.0 - r / contact.reach, 0.0)
                 force += d * (contact.strength * depth * depth * depth * depth / r)
         acceleration[i] += force / mass[i]
-
-
-def add_contact_forces(launch, contact, neighbours, position, role, body, mass, acceleration) -> None:
-    """Add the contact of particles of different bodies to ``acceleration`` (n,) [m/s^2].
-
-    Two particles closer than the reach push each other apart with ``strength (1 - r / reach)^4``: the force has an
-    energy, is equal and opposite, and fades so smoothly that surfaces made of particles slide over each other almost
-    without friction. A body does not feel itself.
-    """
-    launch(
-        _add_contact_force,
-        position.shape[0],
-        [contact, neighbours, position, role, body, mass, acceleration],
-    )

@@ -11,7 +11,7 @@ SMALLEST_DETERMINANT = wp.constant(0.15)
 
 
 @wp.struct
-class Elastic:
+class ElasticConstants:
     """Constants of the elastic solid.
 
     ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control, and
@@ -30,22 +30,28 @@ class Elastic:
 
 
 @wp.kernel
-def _settle_volume(
+def settle_volume(
     first: int, froze: wp.array[int], mass: wp.array[float], density: wp.array[float], body_volume: wp.array[float]
 ):
+    """Fix the body volume (n,) [m^3, or m^2 in 2D] of particles that just ``froze`` (Vijaykumar 2012, section 4.2)."""
     i = wp.tid() + first
     if froze[i] != 0:
         body_volume[i] = mass[i] / density[i]
 
 
 @wp.kernel
-def _invert_moments(
+def invert_moments(
     first: int,
-    elastic: Elastic,
+    elastic: ElasticConstants,
     bonds: BondList,
     body_volume: wp.array[float],
     correction: wp.array[wp.mat33],
 ):
+    """Renew every moment matrix after bonds have changed.
+
+    ``correction`` (n,) is the inverse of the moment matrix of each particle's bonds, the identity where that is nearly
+    singular.
+    """
     i = wp.tid() + first
     if bonds.count[i] > 0:
         moment = wp.mat33()
@@ -63,9 +69,9 @@ def _invert_moments(
 
 
 @wp.kernel
-def _find_stress(
+def find_stress(
     first: int,
-    elastic: Elastic,
+    elastic: ElasticConstants,
     bonds: BondList,
     position: wp.array[wp.vec3],
     body_volume: wp.array[float],
@@ -73,6 +79,12 @@ def _find_stress(
     deformation: wp.array[wp.mat33],
     stress: wp.array[wp.mat33],
 ):
+    """Write the deformation gradient and the stress of bonded particles, each (n,).
+
+    Vijaykumar (2012), equations (4.3), (4.5), (4.6), (4.9), with the displacement gradient corrected by the moment
+    matrix so that a turned body feels no force. ``stress`` is the first Piola-Kirchhoff stress [Pa] times the
+    correction, as the forces need it.
+    """
     i = wp.tid() + first
     if bonds.count[i] > 0:
         x_i = position[i]
@@ -93,9 +105,9 @@ def _find_stress(
 
 
 @wp.kernel
-def _add_elastic_force(
+def add_elastic_forces(
     first: int,
-    elastic: Elastic,
+    elastic: ElasticConstants,
     bonds: BondList,
     position: wp.array[wp.vec3],
     role: wp.array[int],
@@ -105,6 +117,10 @@ def _add_elastic_force(
     stress: wp.array[wp.mat33],
     acceleration: wp.array[wp.vec3],
 ):
+    """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
+
+    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015).
+    """
     i = wp.tid() + first
     if bonds.count[i] > 0 and role[i] == Role.FREE:
         x_i = position[i]
@@ -125,41 +141,3 @@ def _add_elastic_force(
                 weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
                 force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)
         acceleration[i] += force * (body_volume[i] / mass[i])
-
-
-def settle_volume(launch, froze, mass, density, body_volume) -> None:
-    """Fix the body volume (n,) [m^3, or m^2 in 2D] of particles that just ``froze`` (Vijaykumar 2012, section 4.2)."""
-    launch(_settle_volume, mass.shape[0], [froze, mass, density, body_volume])
-
-
-def invert_moments(launch, elastic, bonds, body_volume, correction) -> None:
-    """Renew every moment matrix after bonds have changed.
-
-    ``correction`` (n,) is the inverse of the moment matrix of each particle's bonds, the identity where that is nearly
-    singular.
-    """
-    launch(_invert_moments, body_volume.shape[0], [elastic, bonds, body_volume, correction])
-
-
-def find_stress(launch, elastic, bonds, position, body_volume, correction, deformation, stress) -> None:
-    """Write the deformation gradient and the stress of bonded particles, each (n,).
-
-    Vijaykumar (2012), equations (4.3), (4.5), (4.6), (4.9), with the displacement gradient corrected by the moment
-    matrix so that a turned body feels no force. ``stress`` is the first Piola-Kirchhoff stress [Pa] times the
-    correction, as the forces need it.
-    """
-    launch(_find_stress, position.shape[0], [elastic, bonds, position, body_volume, correction, deformation, stress])
-
-
-def add_elastic_forces(
-    launch, elastic, bonds, position, role, mass, body_volume, deformation, stress, acceleration
-) -> None:
-    """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
-
-    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015).
-    """
-    launch(
-        _add_elastic_force,
-        position.shape[0],
-        [elastic, bonds, position, role, mass, body_volume, deformation, stress, acceleration],
-    )

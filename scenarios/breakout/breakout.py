@@ -8,7 +8,7 @@ import numpy as np
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
-from warpsph.run.simulation import Result
+from warpsph.run.result import Result
 from warpsph.scenarios.breakout.reckoning import LAYERS, remelting_delay, thinnest_shell
 from warpsph.scenarios.casting.casting import Casting
 from warpsph.scenarios.casting.checks import ledger_checks

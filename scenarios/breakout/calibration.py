@@ -13,7 +13,7 @@ import numpy as np
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
-from warpsph.run.simulation import Result
+from warpsph.run.result import Result
 from warpsph.scenarios.breakout.breakout import HOLE, PUBLISHED_HOLE, Breakout
 from warpsph.scenarios.breakout.reckoning import LAYERS, remelting_delay, thinnest_shell
 

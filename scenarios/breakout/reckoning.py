@@ -1,19 +1,15 @@
 """Whether a shell remelts without water: the heat of the melt against the heat of the shell, in one dimension."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.scenarios.casting.travelling_slice import cool_slice, shell_thickness
-
-if TYPE_CHECKING:
-    from warpsph.scenarios.casting.casting import Casting
 
 CELL = 2.0e-3  # [m]
 LAYERS = 2.5  # layers of particles that the thinnest shell must have to bear the melt between two rolls
 
 
-def shell_of_slice(case: "Casting", start: float | None, times: np.ndarray) -> np.ndarray:
+def shell_of_slice(case: CastingParameters, start: float | None, times: np.ndarray) -> np.ndarray:
     """Thickness [m] of the shell of a slice of stagnant melt at some ``times`` [s].
 
     Args:
@@ -32,13 +28,13 @@ def shell_of_slice(case: "Casting", start: float | None, times: np.ndarray) -> n
     return np.array([shell_thickness(profile, case.steel, case.half_width, 0.5) for profile in profiles])
 
 
-def thinnest_shell(case: "Casting") -> float:
+def thinnest_shell(case: CastingParameters) -> float:
     """Thinnest shell [m] between mould and outflow with all sprays on."""
     heights = np.linspace(case.mould_bottom, 0.0, 9)
     return float(np.min(shell_of_slice(case, None, (case.level - heights) / case.casting_speed)))
 
 
-def remelting_delay(case: "Casting", longest: float = 15.0) -> float:
+def remelting_delay(case: CastingParameters, longest: float = 15.0) -> float:
     """Time [s] from the failure until the first slice has less shell than a spacing; infinite if none has."""
     times = np.arange(0.0, longest, 0.25)
     first_failing = min(case.spray_failing, default=case.spray_zones + 1)

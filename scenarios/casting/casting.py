@@ -2,40 +2,27 @@
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import ClassVar, Literal
-
-import numpy as np
-from pydantic import model_validator
+from typing import ClassVar
 
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
-from warpsph.cases.scenario import Scenario, parameter
+from warpsph.cases.scenario import Scenario
 from warpsph.core.executor import Executor
-from warpsph.core.materials import COPPER, WATER, Material, inert, thesis_steel
-from warpsph.core.model import Conduction, Elasticity, Fluid, Model, PhaseChange
+from warpsph.core.materials import COPPER, WATER, inert
+from warpsph.core.model import Model
 from warpsph.machine import OscillatingMould
-from warpsph.run.simulation import Result, Simulation
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
 from warpsph.scenarios.casting.checks import casting_checks
 from warpsph.scenarios.casting.experiments import INLETS, inlet_checks, oscillation_checks, parameter_checks
-from warpsph.scenarios.casting.machine import (
-    COOLING_WATER,
-    MOULD,
-    SPRAY_BOILED,
-    SPRAY_TEMPERATURE,
-    SPRAY_WATER,
-    STEEL,
-    CastingMachine,
-)
-from warpsph.scenarios.casting.nozzle import WALL_LAYERS
+from warpsph.scenarios.casting.machine import DUMMY, CastingMachine
 from warpsph.scenarios.casting.observer import CastingObserver
-from warpsph.scenarios.casting.travelling_slice import cool_slice
+from warpsph.scenarios.casting.parameters import CastingParameters
+from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity, contact_conductivity
 
 
-class Casting(Scenario):
-    """A half strand in the plane: axis at x = 0, cold face at x = ``half_width``, y upwards from the outflow.
-
-    In three dimensions a quarter of a square billet, with a second plane of symmetry at z = 0 and a second cold face.
-    """
+class Casting(CastingParameters):
+    """The casting machine: a half strand in the plane, or a quarter billet in three dimensions."""
 
     name: ClassVar[str] = "casting"
     summary: ClassVar[str] = "continuous casting of steel: nozzle, oscillating mould, shell, sprays, withdrawal"
@@ -43,172 +30,35 @@ class Casting(Scenario):
     presets: ClassVar[tuple[str, ...]] = ("demo", "thesis", *INLETS, "oscillation", "billet")
     default_preset: ClassVar[str | None] = "demo"
 
-    duration: float = parameter(18.0, "s", "physical time to simulate", gt=0, le=1e4)
-    output_interval: float = parameter(0.1, "s", "physical time between two frames and diagnostics", gt=0, le=1e4)
-
-    dimension: Literal[2, 3] = parameter(2, "", "2: a half strand in the plane; 3: a quarter of a square billet")
-    spacing: float = parameter(0.004, "m", "particle spacing", ge=2e-4, le=0.01)
-    half_width: float = parameter(0.10, "m", "half width of the strand", ge=0.02, le=1.0)
-    level: float = parameter(0.44, "m", "height of the meniscus above the outflow", ge=0.1, le=5.0)
-    mould_bottom: float = parameter(0.24, "m", "lower end of the mould", ge=0.0, le=5.0)
-    mould_top: float = parameter(0.50, "m", "upper end of the mould", ge=0.05, le=5.5)
-    mould_stroke: float = parameter(
-        0.006, "m", "stroke of the mould's oscillation, turning point to turning point", ge=0, le=0.05
-    )
-    mould_frequency: float = parameter(1.5, "Hz", "frequency of the mould's oscillation", ge=0, le=10)
-    mould_conductance: float = parameter(1500.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
-    mould_friction: float = parameter(
-        0.0,
-        "Pa s",
-        "viscosity with which the mould drags on the steel; 0: the flux lubricates perfectly",
-        ge=0,
-        le=1e3,
-    )
-    nozzle_port: Literal["down", "side"] = parameter(
-        "down", "", "where the submerged nozzle opens: downwards, or sideways by ports towards the shell"
-    )
-    nozzle_mouth: float = parameter(0.36, "m", "height of the nozzle's mouth, or of the middle of a port", gt=0, le=5)
-    nozzle_width: float = parameter(0.012, "m", "half width of the nozzle's bore, half height of a port", gt=0, le=1.0)
-    nozzle_reach: float = parameter(0.05, "m", "distance from the axis at which a side port ends", gt=0, le=1.0)
-    casting_speed: float = parameter(0.01, "m/s", "speed of the strand at the level asked for", gt=0, le=0.2)
-    level_gain: float = parameter(
-        40.0, "", "relative rise of the pouring speed per relative shortage of level", ge=0, le=1e3
-    )
-
-    pouring_temperature: float = parameter(1933.15, "K", "temperature of the melt in the nozzle", gt=1000, le=2500)
-    density: float = parameter(2100.0, "kg/m^3", "density of the steel (scaled down, see the theory)", ge=100, le=1e4)
-    viscosity: float = parameter(6.0, "Pa s", "viscosity of the melt (a thousandfold steel's)", gt=0, le=1e3)
-    melt_conductivity: float = parameter(
-        300.0, "W/(m K)", "conductivity of the melt, raised for its turbulence", ge=1, le=1e4
-    )
-    sound_speed: float = parameter(10.0, "m/s", "artificial speed of sound", ge=1, le=5e3)
-    youngs_modulus: float = parameter(4.0e5, "Pa", "Young's modulus of the shell (scaled down)", ge=1e3, le=1e12)
-    poisson_ratio: float = parameter(0.3, "", "Poisson's ratio of the shell", ge=0, lt=0.5)
-
-    spray_flux: float = parameter(0.2528, "kg/(m^2 s)", "water sprayed on the shell below the mould", ge=0, le=50)
-    spray_particle: float = parameter(1.0e-3, "kg/m", "mass of one particle of water", gt=0, le=1)
-    spray_speed: float = parameter(0.2, "m/s", "speed of the water", gt=0, le=20)
-    spray_zones: int = parameter(
-        3, "", "number of zones between mould and outflow, the first under the mould", ge=1, le=20
-    )
-    spray_failure: float | None = parameter(None, "s", "time at which the failing zones go off; none: never", ge=0)
-    spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
-
-    support_ratio: float = parameter(2.6, "", "support of the smoothing kernels over the spacing", ge=2.0, le=4.0)
-    step_factor: float = parameter(1.0, "", "time step of the flow over the stable one (7.6)", gt=0, le=10)
-    elasticity: Literal["corrected", "published"] = parameter(
-        "corrected", "", "displacement gradient: corrected for rotation, or as published"
-    )
-    start: Literal["hydrostatic", "grid"] = parameter(
-        "hydrostatic", "", "initial rows: as they stand under their weight, or a regular grid"
-    )
-
-    roll_pitch: float = parameter(0.04, "m", "distance of the support rolls", gt=0, le=1)
-    roll_first: float = parameter(0.215, "m", "height of the middle of the first roll", gt=0, le=5)
-    roll_size: float = parameter(0.008, "m", "height of the face of a roll", gt=0, le=0.5)
-
-    @model_validator(mode="after")
-    def _check_geometry(self) -> "Casting":
-        def refuse(key: str, why: str) -> None:
-            raise ValueError(f"{key} = {getattr(self, key)}: {why}")
-
-        if not self.mould_bottom < self.level < self.mould_top:
-            refuse("level", f"must lie between mould_bottom {self.mould_bottom} and mould_top {self.mould_top} m")
-        if self.nozzle_port == "side":
-            self._check_port(refuse)
-        if not self.mould_bottom < self.nozzle_mouth < self.level:
-            refuse(
-                "nozzle_mouth",
-                f"must lie in the melt between mould_bottom {self.mould_bottom} and level {self.level} m",
-            )
-        if not self.spacing <= self.nozzle_width <= 0.5 * self.half_width:
-            refuse(
-                "nozzle_width", f"must lie between spacing {self.spacing} m and half of half_width {self.half_width} m"
-            )
-        if self.spacing > 0.5 * self.roll_size:
-            refuse("spacing", f"a roll of roll_size {self.roll_size} m needs two rows of particles")
-        if self.roll_first + 0.5 * self.roll_size > self.mould_bottom:
-            refuse("roll_first", f"the first roll must stand below mould_bottom {self.mould_bottom} m")
-        if any(not 1 <= zone <= self.spray_zones for zone in self.spray_failing):
-            refuse("spray_failing", f"zones are counted from 1 to spray_zones {self.spray_zones}")
-        if self.pouring_temperature < self.steel.liquidus:
-            refuse("pouring_temperature", f"must lie above the liquidus {self.steel.liquidus:.2f} K")
-        return self
-
-    def _check_port(self, refuse: Callable[[str, str], None]) -> None:
-        if self.dimension == 3:
-            refuse("nozzle_port", "a side port exists in the plane only (dimension = 2)")
-        height = self.bore + WALL_LAYERS * self.spacing
-        if self.nozzle_mouth + height > self.level:
-            refuse("nozzle_mouth", f"a side port of half height {height:.4g} m must lie below level {self.level} m")
-        if not height <= self.nozzle_reach <= 0.7 * self.half_width:
-            refuse("nozzle_reach", f"must lie between {height:.4g} m, the tube's wall, and 0.7 half_width")
-
-    @property
-    def steel(self) -> Material:
-        return thesis_steel(self.density, self.melt_conductivity, self.viscosity)
-
     @property
     def model(self) -> Model:
-        copper = replace(COPPER, viscosity=self.mould_friction)
-        materials = (self.steel, copper, inert("dummy", self.density), WATER)
-        plain = Model(self.dimension, self.spacing, materials, self.support_ratio)
+        """The physics of the strand and its surroundings, without the parts of the machine."""
+        steel, copper = self.steel, replace(COPPER, viscosity=self.mould_friction)
+        materials = (steel, copper, inert(DUMMY, self.density), WATER)
+        plain = Model(self.dimension, self.spacing, materials, support_ratio=self.support_ratio)
         contact = {
-            (STEEL, MOULD): plain.contact_conductivity(self.mould_conductance),
-            (MOULD, SPRAY_WATER): 0.0,
-            (SPRAY_WATER, SPRAY_WATER): 0.0,
+            (steel.name, copper.name): contact_conductivity(plain, self.mould_conductance),
+            (copper.name, WATER.name): 0.0,
+            (WATER.name, WATER.name): 0.0,
         }
-        return Model(
-            dimension=self.dimension,
-            spacing=self.spacing,
-            materials=materials,
-            support_ratio=self.support_ratio,
-            fluid=Fluid(self.density, self.sound_speed),
-            conduction=Conduction(contact),
-            phase_change=PhaseChange(),
-            elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),
+        terms = (
+            Fluid(self.density, self.sound_speed),
+            SummedDensity(),
+            Conduction(contact),
+            PhaseChange(),
+            Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),
         )
-
-    def zone_at(self, height: float) -> int | None:
-        """Spray zone at a height [m], counted from the mould; none in the mould or below the outflow."""
-        if not 0.0 <= height < self.mould_bottom:
-            return None
-        return min(int((1.0 - height / self.mould_bottom) * self.spray_zones) + 1, self.spray_zones)
-
-    @property
-    def bore(self) -> float:
-        """Half width of the nozzle's bore in whole particles [m]."""
-        return round(self.nozzle_width / self.spacing) * self.spacing
-
-    @property
-    def spray_heat_flux(self) -> float:
-        """Heat flux [W/m^2] by which the water boils away."""
-        return self.spray_flux * float(WATER.enthalpy(SPRAY_BOILED) - WATER.enthalpy(SPRAY_TEMPERATURE))
-
-    def surface_flux(self, temperature: float, age: float) -> float:
-        """Heat flux [W/m^2] out of the shell of surface ``temperature`` [K], ``age`` [s] after the meniscus."""
-        if self.level - self.casting_speed * age > self.mould_bottom:
-            return self.mould_conductance * (temperature - COOLING_WATER)
-        return self.spray_heat_flux
-
-    def slices(self, heights: np.ndarray) -> np.ndarray:
-        """Temperature (k, cells) [K] of the stagnant strand at some heights [m], from the axis to the surface."""
-        ages = np.maximum(self.level - heights, 0.0) / self.casting_speed
-        order = np.argsort(ages)
-        profiles = cool_slice(
-            self.steel, self.half_width, self.pouring_temperature, ages[order], self.surface_flux, 0.25 * self.spacing
-        )
-        return profiles[np.argsort(order)]
+        return replace(plain, terms=terms)
 
     def build(self, executor: Executor) -> Simulation:
         machine = CastingMachine(self)
-        observer = CastingObserver(self, machine)
         lower, upper = machine.box
+        observer = CastingObserver(self, machine)
         simulation = Simulation(
             executor,
             self.model,
             machine.particles,
-            devices=[
+            parts=[
                 machine.gauge,
                 OscillatingMould(self.mould_stroke, self.mould_frequency),
                 *machine.planes,
@@ -222,7 +72,7 @@ class Casting(Scenario):
             observe=observer,
             describe=observer.describe,
         )
-        observer.begin(simulation)
+        observer.begin(simulation.model, simulation.snapshot(), simulation.events)
         return simulation
 
     @classmethod

@@ -1,18 +1,14 @@
 """The checks of a casting run."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from warpsph.cases.check import Check
+from warpsph.run.result import Result
+from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.scenarios.casting.travelling_slice import shell_thickness
 
-if TYPE_CHECKING:
-    from warpsph.run.simulation import Result
-    from warpsph.scenarios.casting.casting import Casting
 
-
-def ledger_checks(case: "Casting", result: "Result") -> list[Check]:
+def ledger_checks(case: CastingParameters, result: Result) -> list[Check]:
     """Nothing is lost and nothing comes from nowhere."""
     d = result.diagnostics
     mass_error = d["particles_inside"] - d["particles_inside"][0] - d["particles_in"] + d["particles_out"]
@@ -33,7 +29,7 @@ def ledger_checks(case: "Casting", result: "Result") -> list[Check]:
     ]  # fmt: skip
 
 
-def casting_checks(case: "Casting", result: "Result") -> list[Check]:
+def casting_checks(case: CastingParameters, result: Result) -> list[Check]:
     """Ledgers, steadiness, and the growth of the shell in the mould against one-dimensional conduction."""
     d = result.diagnostics
     last_third = d["time"] >= 2.0 / 3.0 * d["time"][-1]
@@ -63,7 +59,7 @@ def casting_checks(case: "Casting", result: "Result") -> list[Check]:
     ]  # fmt: skip
 
 
-def _shell_check(case: "Casting", result: "Result") -> Check:
+def _shell_check(case: CastingParameters, result: Result) -> Check:
     """Mean thickness over the lower half of the mould, averaged over the last third of the run."""
     d = result.diagnostics
     heights = d["height"][0]

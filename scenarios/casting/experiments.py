@@ -1,24 +1,21 @@
 """Experiments of Vijaykumar (2012), sections 7.2 and 7.3: the inlet at three heights, and the oscillating mould."""
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
+from warpsph.run.result import Result
 from warpsph.scenarios.casting.mould_oscillation import negative_strip_time, overtaking_time, response
-
-if TYPE_CHECKING:
-    from warpsph.run.simulation import Result
-    from warpsph.scenarios.casting.casting import Casting
+from warpsph.scenarios.casting.parameters import CastingParameters
 
 NUMERICS = ({"support_ratio": 3.0}, {"sound_speed": 7.0}, {"viscosity": 30.0}, {"step_factor": 2.0})
 INLETS = ("inlet_high", "inlet_middle", "inlet_low")
 Diagnostics = dict[str, np.ndarray]
 
 
-def inlet_checks(kind: type["Casting"], simulate: Callable[["Casting"], "Result"]) -> Iterable[Check]:
+def inlet_checks(kind: type[CastingParameters], simulate: Callable[[CastingParameters], Result]) -> Iterable[Check]:
     """At the height of each jet the shell is thinner than it is there with the jet elsewhere."""
     cases = [resolve(kind, [preset_layer(kind, preset)]) for preset in INLETS]
     runs = [simulate(case).diagnostics for case in cases]
@@ -52,7 +49,9 @@ def mean_shell(run: Diagnostics) -> np.ndarray:
     return np.mean(run["shell_thickness"][run["time"] >= 2.0 / 3.0 * run["time"][-1]], axis=0)
 
 
-def oscillation_checks(kind: type["Casting"], simulate: Callable[["Casting"], "Result"]) -> Iterable[Check]:
+def oscillation_checks(
+    kind: type[CastingParameters], simulate: Callable[[CastingParameters], Result]
+) -> Iterable[Check]:
     """Negative strip as computed; level and shell answer at the mould's frequency, and only while it moves."""
     case = resolve(kind, [preset_layer(kind, "oscillation")])
     at_rest = case.model_copy(update={"mould_stroke": 0.0})
@@ -81,7 +80,7 @@ def oscillation_checks(kind: type["Casting"], simulate: Callable[["Casting"], "R
     )  # fmt: skip
 
 
-def parameter_checks(kind: type["Casting"], simulate: Callable[["Casting"], "Result"]) -> Iterable[Check]:
+def parameter_checks(kind: type[CastingParameters], simulate: Callable[[CastingParameters], Result]) -> Iterable[Check]:
     """The shell does not depend on numerical parameters, as long as they are stable."""
     base = kind(duration=3.0, output_interval=0.25)
     usual = lower_mould_shell(base, simulate(base).diagnostics)
@@ -96,14 +95,14 @@ def parameter_checks(kind: type["Casting"], simulate: Callable[["Casting"], "Res
         )  # fmt: skip
 
 
-def lower_mould_shell(case: "Casting", run: Diagnostics) -> float:
+def lower_mould_shell(case: CastingParameters, run: Diagnostics) -> float:
     """Mean thickness of the shell [m] in the lower half of the mould over the second half of a run."""
     heights, late = run["height"][0], run["time"] > 0.5 * run["time"][-1]
     lower_mould = (heights > case.mould_bottom) & (heights < 0.5 * (case.mould_bottom + case.level))
     return float(np.mean(run["shell_thickness"][late][:, lower_mould]))
 
 
-def whole_cycles(run: Diagnostics, case: "Casting", settled: float = 2.0) -> Diagnostics:
+def whole_cycles(run: Diagnostics, case: CastingParameters, settled: float = 2.0) -> Diagnostics:
     """The rows of a run from ``settled`` [s] on that make whole cycles of the mould."""
     time = run["time"]
     cycles = int((time[-1] - settled) * case.mould_frequency + 1e-9)

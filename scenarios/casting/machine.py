@@ -1,39 +1,38 @@
 """The parts of the casting machine, placed: strand, mould, rolls, nozzle, dummies, water."""
 
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from warpsph.core.hydrostatics import row_heights
 from warpsph.core.labels import Role
-from warpsph.core.materials import WATER
+from warpsph.core.materials import COPPER, WATER
 from warpsph.core.particles import Particles, lattice
 from warpsph.machine import Inlet, LevelGauge, Outflow, Spray, SprayZone, SymmetryPlane
 from warpsph.scenarios.casting.nozzle import Nozzle, side_port, straight_tube
+from warpsph.scenarios.casting.parameters import (
+    COOLING_WATER,
+    SPRAY_BOILED,
+    SPRAY_TEMPERATURE,
+    CastingParameters,
+)
 
-if TYPE_CHECKING:
-    from warpsph.scenarios.casting.casting import Casting
-
-STEEL, MOULD, DUMMY, SPRAY_WATER = range(4)
+DUMMY = "dummy"
 MOULD_LAYERS = 4
 DUMMY_LAYERS = 3
 OUTFLOW_ROWS = 4
-COOLING_WATER = 373.15
-SPRAY_TEMPERATURE = 298.15
-SPRAY_BOILED = 374.15
 SPRAY_DISTANCE = 0.04  # from the nozzles to the strand [m]
 LONGEST_RIDE = 10.0  # time on the strand for which water is in reserve [s]
 
 
 class CastingMachine:
-    """Puts the particles of a case in their places and makes the devices that move them.
+    """Puts the particles of a case in their places and makes the parts that move them.
 
     Args:
         case: the scenario.
     """
 
-    def __init__(self, case: "Casting"):
+    def __init__(self, case: CastingParameters):
         self.case = case
         self.particles = Particles()
         self.rim = case.mould_top + 0.02
@@ -47,7 +46,9 @@ class CastingMachine:
         self._add_strand(nozzle)
         self._add_walls(nozzle)
         self._add_dummies(planes)
-        self.inlet = Inlet(self.gauge, nozzle.row, nozzle.direction, nozzle.length, case.pouring_temperature, STEEL)
+        self.inlet = Inlet(
+            self.gauge, nozzle.row, nozzle.direction, nozzle.length, case.pouring_temperature, case.steel.name
+        )
         self.outflow = Outflow(self.gauge, 0.0, -OUTFLOW_ROWS * case.spacing, case.half_width + 2.0 * case.spacing)
         self.planes = planes
         self.spray = self._add_spray()
@@ -89,8 +90,8 @@ class CastingMachine:
 
     def _fill(self, x: tuple[float, float], y: tuple[float, float], z: tuple[float, float]) -> np.ndarray:
         """Lattice (n, 3) [m] of a box, in the plane without z."""
-        corners = list(zip(x, y, z, strict=True))
-        return lattice(*(corner[: self.case.dimension] for corner in corners), self.case.spacing)
+        lower, upper = (corner[: self.case.dimension] for corner in zip(x, y, z, strict=True))
+        return lattice(lower, upper, self.case.spacing)
 
     def _outside(self, points: np.ndarray, depth: float) -> np.ndarray:
         """Which points lie more than ``depth`` [m] outside the cold faces."""
@@ -110,11 +111,12 @@ class CastingMachine:
         outside_nozzle, withdrawn = ~nozzle.keeps_out(points), points[:, 1] <= 0.0
         strand = outside_nozzle & ~withdrawn
         down = (0.0, -case.casting_speed, 0.0)
-        particles.add(points[strand], Role.FREE, STEEL, temperature[strand], down)
-        particles.add(points[withdrawn], Role.OUTFLOW, STEEL, temperature[withdrawn], down)
-        particles.add(nozzle.filling(dx), Role.INFLOW, STEEL, case.pouring_temperature)
+        steel = case.steel.name
+        particles.add(points[strand], Role.FREE, steel, temperature=temperature[strand], velocity=down)
+        particles.add(points[withdrawn], Role.OUTFLOW, steel, temperature=temperature[withdrawn], velocity=down)
+        particles.add(nozzle.filling(dx), Role.INFLOW, steel, temperature=case.pouring_temperature)
         reserve = np.tile([[0.0, case.level, 0.0]], (len(points) // 5, 1))
-        particles.add(reserve, Role.RESERVOIR, STEEL, case.pouring_temperature)
+        particles.add(reserve, Role.RESERVOIR, steel, temperature=case.pouring_temperature)
 
     def _add_walls(self, nozzle: Nozzle) -> None:
         """The mould, the nozzle's walls, and the rolls, at every cold face."""
@@ -123,7 +125,7 @@ class CastingMachine:
         mould = self._fill(x, (case.mould_bottom, case.mould_top), x)
         mould = mould[self._outside(mould, 0.0)]
         outermost = self._outside(mould, (MOULD_LAYERS - 1) * dx)
-        particles.add(mould, Role.WALL, MOULD, COOLING_WATER, held=outermost)
+        particles.add(mould, Role.WALL, COPPER.name, temperature=COOLING_WATER, held=outermost)
         particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, DUMMY)
         x = (x[0], W + DUMMY_LAYERS * dx)
         for middle in np.arange(case.roll_first, -2 * dx, -case.roll_pitch):
@@ -157,15 +159,17 @@ class CastingMachine:
         reserve = int(flow / case.spray_particle * under_way) + 10
         parked = np.tile([[nozzle, 0.0, 0.0]], (reserve, 1))
         volume = case.spray_particle / WATER.density
-        self.particles.add(parked, Role.RESERVOIR, SPRAY_WATER, SPRAY_TEMPERATURE, flows=False, volume=volume)
+        self.particles.add(
+            parked, Role.RESERVOIR, WATER.name, temperature=SPRAY_TEMPERATURE, flows=False, volume=volume
+        )
         return Spray(
             zones,
             nozzle,
             case.spray_speed,
-            reach=1.2 * case.spacing,
+            near=1.2 * case.spacing,
             lost=0.5 * case.half_width,
             temperature=SPRAY_TEMPERATURE,
             boiled=SPRAY_BOILED,
-            material=SPRAY_WATER,
+            material=WATER.name,
             breadth=case.half_width if case.dimension == 3 else 0.0,
         )

@@ -1,16 +1,11 @@
 """The submerged nozzle of the casting machine: where its melt enters, where it is free, and its walls."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from warpsph.core.particles import lattice
-
-if TYPE_CHECKING:
-    from warpsph.scenarios.casting.casting import Casting
-
-WALL_LAYERS = 3
+from warpsph.scenarios.casting.parameters import WALL_LAYERS, CastingParameters
 
 Box = tuple[tuple[float, float, float], tuple[float, float, float]]  # two corners [m]
 
@@ -53,7 +48,7 @@ class Nozzle:
         return inside
 
 
-def straight_tube(case: "Casting", heights: np.ndarray, rim: float) -> Nozzle:
+def straight_tube(case: CastingParameters, heights: np.ndarray, rim: float) -> Nozzle:
     """A tube along the axis, round ones as squares, that opens downwards.
 
     Its rows of melt continue those of the strand at ``heights`` [m]; two rows too near each other would be a shock.
@@ -79,7 +74,7 @@ def straight_tube(case: "Casting", heights: np.ndarray, rim: float) -> Nozzle:
     )
 
 
-def side_port(case: "Casting", rim: float) -> Nozzle:
+def side_port(case: CastingParameters, rim: float) -> Nozzle:
     """A tube closed at its end, with a port on either side that leads the melt towards the shell; in the plane."""
     dx, reach, half_height = case.spacing, case.nozzle_reach, case.bore
     low, high, wall = case.nozzle_mouth - half_height, case.nozzle_mouth + half_height, WALL_LAYERS * dx

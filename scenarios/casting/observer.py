@@ -1,20 +1,21 @@
 """What is measured of a casting run: level, ledgers of mass and heat, and the shell along the height."""
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from warpsph.core.labels import Phase, Role
-from warpsph.run.diagnostics import Snapshot, enthalpy_by_material
+from warpsph.core.materials import COPPER, WATER
+from warpsph.core.model import Model
+from warpsph.core.state import Snapshot
+from warpsph.run.diagnostics import enthalpy_by_material
+from warpsph.run.events import Events
+from warpsph.run.measured import Measured, Values
+from warpsph.scenarios.casting.machine import CastingMachine
+from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.scenarios.casting.watch import ShellWatch
 
-if TYPE_CHECKING:
-    from warpsph.run.simulation import Simulation
-    from warpsph.scenarios.casting.casting import Casting
-    from warpsph.scenarios.casting.machine import CastingMachine
-
 BINS = 22
-Values = dict[str, float | np.ndarray]
 
 
 class CastingObserver:
@@ -22,104 +23,138 @@ class CastingObserver:
 
     Args:
         case: the scenario.
-        machine: its devices.
+        machine: its parts.
     """
 
-    def __init__(self, case: "Casting", machine: "CastingMachine"):
+    def __init__(self, case: CastingParameters, machine: CastingMachine):
         self.case, self.gauge, self.inlet, self.spray = case, machine.gauge, machine.inlet, machine.spray
         self.noted: set[str] = set()
-        self.watch = ShellWatch(case, self._note)
         self.edges = np.linspace(0.0, case.level, BINS + 1)
         self.heights = 0.5 * (self.edges[1:] + self.edges[:-1])
 
-    def begin(self, simulation: "Simulation") -> None:
-        """Remember the initial contents."""
-        self.simulation = simulation
-        self.materials = len(simulation.model.materials)
-        self.start = enthalpy_by_material(simulation.snapshot(), self.materials)
+    def begin(self, model: Model, snapshot: Snapshot, events: Events) -> None:
+        """Remember the initial contents, and where events are noted."""
+        self.materials = len(model.materials)
+        names = (self.case.steel.name, COPPER.name, WATER.name)
+        self.steel, self.mould, self.water = (model.index_of(name) for name in names)
+        self.start = enthalpy_by_material(snapshot, self.materials)
+        self._note = events.note
+        self.watch = ShellWatch(self.case, self.steel, events.note)
 
     def __call__(self, state: Snapshot, time: float) -> Values:
         self._note_shortages(time)
-        shell = self._shell(state)
-        watched = self.watch(state, time, self.heights, shell["shell_thickness"])
+        thickness, surface = self._shell(state)
+        shell: Values = {
+            "shell_thickness": Measured(thickness, "m", "shell thickness", over="height"),
+            "shell_surface_temperature": Measured(
+                surface, "K", "shell surface temperature", over="height", colours="inferno"
+            ),
+        }
+        watched = self.watch(state, time, self.heights, thickness)
         flow = self._flow(state) | self._stroke(state)
-        return flow | self._mass(state) | self._heat(state) | shell | watched | {"height": self.heights}
+        height: Values = {"height": Measured(self.heights, "m", "height")}
+        return flow | self._mass(state) | self._heat(state) | shell | watched | height
 
-    def describe(self, values: Values) -> str:
+    def describe(self, values: dict[str, Any]) -> str:
         """One line for the progress bar."""
         exit_bin = int(np.argmin(np.abs(self.heights - self.case.mould_bottom)))
         return f"level {values['level']:.3f} m, shell at mould exit {1e3 * values['shell_thickness'][exit_bin]:.1f} mm"
 
-    def _note(self, time: float, text: str) -> None:
-        self.simulation.note_event(time, text)
+    def memory(self) -> dict[str, Any]:
+        return {"noted": sorted(self.noted), "watch": self.watch.memory()}
+
+    def restore(self, memory: dict[str, Any]) -> None:
+        self.noted = set(memory["noted"])
+        self.watch.restore(memory["watch"])
 
     def _note_shortages(self, time: float) -> None:
-        for device, substance in ((self.inlet, "melt"), (self.spray, "water")):
-            if device.missing.numpy()[0] > 0 and substance not in self.noted:
+        for part, substance in ((self.inlet, "melt"), (self.spray, "water")):
+            if part.missing.numpy()[0] > 0 and substance not in self.noted:
                 self.noted.add(substance)
                 self._note(time, f"the reservoir has run out of {substance}")
 
     def _flow(self, state: Snapshot) -> Values:
         level, casting_speed, pouring_speed = (float(v) for v in self.gauge.speeds.numpy())
         x, y = state["position"][:, 0], state["position"][:, 1]
-        column = (state["material"] == 0) & (state["role"] == Role.FREE)
+        column = (state["material"] == self.steel) & (state["role"] == Role.FREE)
         column &= (x > self.gauge.low[0]) & (x < self.gauge.high[0])
+        meniscus = float(np.percentile(y[column], 99.5)) if np.any(column) else np.nan
+        melt, water = (float(part.missing.numpy()[0]) for part in (self.inlet, self.spray))
         return {
-            "level": level,
-            "meniscus": float(np.percentile(y[column], 99.5)) if np.any(column) else np.nan,
-            "casting_speed": casting_speed,
-            "pouring_speed": pouring_speed,
-            "missing_melt": float(self.inlet.missing.numpy()[0]),
-            "missing_water": float(self.spray.missing.numpy()[0]),
+            "level": Measured(level, "m", "melt level, by weight"),
+            "meniscus": Measured(meniscus, "m", "meniscus"),
+            "casting_speed": Measured(casting_speed, "m/s", "casting speed"),
+            "pouring_speed": Measured(pouring_speed, "m/s", "pouring speed"),
+            "missing_melt": Measured(melt, "", "melt missing in the reservoir"),
+            "missing_water": Measured(water, "", "water missing in the reservoir"),
         }
 
     def _stroke(self, state: Snapshot) -> Values:
         """Velocities along y of the mould and of the skin of the shell in it."""
         case, velocity = self.case, state["velocity"][:, 1]
         x, y, _ = state["position"].T
-        skin = (state["material"] == 0) & (state["role"] == Role.FREE) & (state["phase"] == Phase.SOLID)
+        skin = (state["material"] == self.steel) & (state["role"] == Role.FREE) & (state["phase"] == Phase.SOLID)
         skin &= (x > case.half_width - 1.5 * case.spacing) & (y > case.mould_bottom) & (y < case.level)
+        of_mould = float(np.mean(velocity[state["role"] == Role.WALL]))
+        of_skin = float(np.mean(velocity[skin])) if np.any(skin) else np.nan
         return {
-            "mould_velocity": float(np.mean(velocity[state["role"] == Role.WALL])),
-            "shell_velocity": float(np.mean(velocity[skin])) if np.any(skin) else np.nan,
+            "mould_velocity": Measured(of_mould, "m/s", "velocity of the mould"),
+            "shell_velocity": Measured(of_skin, "m/s", "velocity of the shell's skin in the mould"),
         }
 
     def _mass(self, state: Snapshot) -> Values:
-        steel = state["material"] == 0
+        steel = state["material"] == self.steel
         inside = steel & (state["role"] != Role.RESERVOIR)
         mass = state["mass"].astype(float)
-        return {
-            "mass_inside": float(np.sum(mass[inside])),
-            "mass_in": float(np.sum((mass * state["entries"])[steel])),
-            "mass_out": float(np.sum((mass * state["exits"])[steel])),
-            "particles_inside": float(np.sum(inside)),
-            "particles_in": float(np.sum(state["entries"][steel])),
-            "particles_out": float(np.sum(state["exits"][steel])),
+        masses = {
+            "inside": float(np.sum(mass[inside])),
+            "in": float(np.sum((mass * state["entries"])[steel])),
+            "out": float(np.sum((mass * state["exits"])[steel])),
         }
+        numbers = {
+            "inside": float(np.sum(inside)),
+            "in": float(np.sum(state["entries"][steel])),
+            "out": float(np.sum(state["exits"][steel])),
+        }
+        values: Values = {}
+        for where, mass_there in masses.items():
+            values[f"mass_{where}"] = Measured(mass_there, "kg", where, per_depth=True, panel="mass")
+        for where, number in numbers.items():
+            values[f"particles_{where}"] = Measured(number, "", where, panel="particles")
+        return values
 
     def _heat(self, state: Snapshot) -> Values:
         now = enthalpy_by_material(state, self.materials)
         entered = np.bincount(state["material"], state["heat_entered"], self.materials)
         left = np.bincount(state["material"], state["heat_left"], self.materials)
-        steel, mould, _, water = range(4)
+        steel, mould, water = self.steel, self.mould, self.water
         to_mould = float(np.sum(state["heat_held"])) + now[mould] - self.start[mould]
         to_spray = now[water] - self.start[water] + left[water] - entered[water]
         change = now[steel] - self.start[steel]
         expected = entered[steel] - left[steel] - to_mould - to_spray
         turnover = entered[steel] + left[steel] + abs(to_mould) + abs(to_spray)
+        error = (change - expected) / turnover if turnover > 0.0 else 0.0
+        contents = {"inside": now[steel], "in": entered[steel], "out": left[steel]}
+        taken = {"mould": to_mould, "spray": to_spray}
         return {
-            "enthalpy_inside": now[steel],
-            "enthalpy_in": entered[steel],
-            "enthalpy_out": left[steel],
-            "heat_mould": to_mould,
-            "heat_spray": to_spray,
-            "ledger_error": (change - expected) / turnover if turnover > 0.0 else 0.0,
+            **{
+                f"enthalpy_{where}": Measured(float(heat), "J", where, per_depth=True, panel="enthalpy")
+                for where, heat in contents.items()
+            },
+            **{
+                f"heat_{where}": Measured(float(heat), "J", f"to the {where}", per_depth=True, panel="heat taken away")
+                for where, heat in taken.items()
+            },
+            "ledger_error": Measured(float(error), "", "relative error of the heat ledger"),
         }
 
-    def _shell(self, state: Snapshot) -> Values:
-        """The shell of the face at x = half width; in 3D of its half next to the axis."""
+    def _shell(self, state: Snapshot) -> tuple[np.ndarray, np.ndarray]:
+        """Thickness [m] and surface temperature [K] of the shell (heights,) at the face at x = half width.
+
+        In 3D of the half of the face next to the axis.
+        """
         case = self.case
-        inside = (state["material"] == 0) & (state["role"] == Role.FREE)
+        inside = (state["material"] == self.steel) & (state["role"] == Role.FREE)
         inside &= state["position"][:, 0] > 0.5 * case.half_width
         breadth = 1.0
         if case.dimension == 3:
@@ -137,7 +172,4 @@ class CastingObserver:
             if np.any(here):
                 outermost = x[here] > np.max(x[here]) - 0.6 * case.spacing
                 surface[k] = np.mean(temperature[here][outermost])
-        return {
-            "shell_thickness": volume / (breadth * np.diff(self.edges)),
-            "shell_surface_temperature": surface,
-        }
+        return volume / (breadth * np.diff(self.edges)), surface

@@ -1,15 +1,14 @@
 """The watch over the shell: when and where it thins after its sprays have failed, opens, and lets melt out."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
 from warpsph.core.labels import Phase, Role
-from warpsph.run.diagnostics import Snapshot
-
-if TYPE_CHECKING:
-    from warpsph.scenarios.casting.casting import Casting
+from warpsph.core.state import Snapshot
+from warpsph.run.measured import Measured, Values
+from warpsph.scenarios.casting.parameters import CastingParameters
 
 THIN = 0.7  # of the thickness before the sprays failed
 HOLE_ROWS = 2  # rows of particles without any shell
@@ -27,17 +26,18 @@ class ShellWatch:
 
     Args:
         case: the scenario.
+        steel: index of its material.
         note: called with time [s] and text.
     """
 
-    def __init__(self, case: "Casting", note: Callable[[float, str], None]):
-        self.case, self._note = case, note
+    def __init__(self, case: CastingParameters, steel: int, note: Callable[[float, str], None]):
+        self.case, self.steel, self._note = case, steel, note
         self._noted: set[str] = set()
         self._before: list[np.ndarray] = []
         rows = int(case.mould_bottom / (HOLE_ROWS * case.spacing))
         self._edges = np.arange(1, rows + 1) * HOLE_ROWS * case.spacing
 
-    def __call__(self, state: Snapshot, time: float, heights: np.ndarray, thickness: np.ndarray) -> dict[str, float]:
+    def __call__(self, state: Snapshot, time: float, heights: np.ndarray, thickness: np.ndarray) -> Values:
         """Note what has happened by ``time`` [s].
 
         Args:
@@ -49,7 +49,7 @@ class ShellWatch:
             ``hole_height``: height of strand below the mould that is without shell [m]; ``escaped_melt``: particles.
         """
         self._watch_thickness(time, heights, thickness)
-        steel = (state["material"] == 0) & (state["role"] == Role.FREE)
+        steel = (state["material"] == self.steel) & (state["role"] == Role.FREE)
         solid = steel & (state["phase"] == Phase.SOLID)
         x, y, z = state["position"].T
         shell, _ = np.histogram(y[solid & (x > 0.5 * self.case.half_width)], self._edges)
@@ -62,10 +62,17 @@ class ShellWatch:
             self._note_at(time, "hole in the shell", float(np.max(y[through])))
         if np.any(escaped):
             self._note_at(time, "melt runs out", float(np.max(y[escaped])))
+        hole = float(len(open_rows) * HOLE_ROWS * self.case.spacing)
         return {
-            "hole_height": float(len(open_rows) * HOLE_ROWS * self.case.spacing),
-            "escaped_melt": float(np.sum(escaped)),
+            "hole_height": Measured(hole, "m", "height without shell"),
+            "escaped_melt": Measured(float(np.sum(escaped)), "", "particles of escaped melt"),
         }
+
+    def memory(self) -> dict[str, Any]:
+        return {"noted": sorted(self._noted), "before": list(self._before)}
+
+    def restore(self, memory: dict[str, Any]) -> None:
+        self._noted, self._before = set(memory["noted"]), list(memory["before"])
 
     def zone_text(self, height: float) -> str:
         """Where a height [m] is, in words."""

@@ -9,9 +9,13 @@ from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import Material
-from warpsph.core.model import Conduction, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
-from warpsph.run.simulation import Result, Simulation
+from warpsph.core.state import Snapshot
+from warpsph.run.measured import Measured, Values
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
+from warpsph.terms import Conduction
 
 BACKGROUND = 300.0  # temperature far from the spot [K]
 HEAT_CAPACITY = 1000.0  # [J/(kg K)]
@@ -61,19 +65,21 @@ class HeatGaussian(Scenario):
             materials=(plate,),
             support_ratio=self.support_ratio,
             gravity=(0.0, 0.0, 0.0),
-            conduction=Conduction(longest_interval=self.output_interval),
+            terms=(Conduction(longest_interval=self.output_interval),),
         )
         position = lattice((-self.edge / 2,) * 2, (self.edge / 2,) * 2, self.spacing)
         particles = Particles()
         particles.add(position, Role.FREE, temperature=self.exact(position, 0.0))
         return Simulation(executor, model, particles, observe=self._observe)
 
-    def _observe(self, state: dict[str, np.ndarray], time: float) -> dict[str, float]:
+    def _observe(self, state: Snapshot, time: float) -> Values:
         error = self._error(state["position"], state["temperature"], time)
         return {
-            "peak_temperature": float(state["temperature"].max()),
-            "largest_error": float(np.abs(error).max()),
-            "heat": float(np.sum(state["mass"].astype(float) * state["enthalpy"])),
+            "peak_temperature": Measured(float(state["temperature"].max()), "K", "highest temperature"),
+            "largest_error": Measured(float(np.abs(error).max()), "", "largest error over the peak"),
+            "heat": Measured(
+                float(np.sum(state["mass"].astype(float) * state["enthalpy"])), "J", "heat", per_depth=True
+            ),
         }
 
     def _error(self, position: np.ndarray, temperature: np.ndarray, time: float) -> np.ndarray:

@@ -11,10 +11,15 @@ from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Elasticity, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
-from warpsph.run.diagnostics import Snapshot, strain_energy
-from warpsph.run.simulation import Result, Simulation
+from warpsph.core.state import Snapshot
+from warpsph.run.diagnostics import strain_energy
+from warpsph.run.measured import Measured, Values
+from warpsph.run.recorder import Observe
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
+from warpsph.terms import Elasticity
 
 FIRST_MODE = 1.8751040687  # k L of the first mode of a slender beam: cos(k L) cosh(k L) = -1
 REFERENCE = "own spectral elements, large deflection"
@@ -53,13 +58,14 @@ class Cantilever(Scenario):
 
     def build(self, executor: Executor) -> Simulation:
         dx, half = self.spacing, 0.5 * self.thickness
+        elasticity = Elasticity(self.youngs_modulus, self.poisson_ratio, hourglass=self.hourglass)
         model = Model(
             dimension=2,
             spacing=dx,
             support_ratio=self.support_ratio,
             materials=(inert("rubber", self.density),),
             gravity=(0.0, 0.0, 0.0),
-            elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio, hourglass=self.hourglass),
+            terms=(elasticity,),
         )
         # The gradient over bonds reaches from one spacing on this side to one on that side, so that what is held
         # acts on average one spacing behind the first particle that is free: the first column is held, too.
@@ -73,18 +79,19 @@ class Cantilever(Scenario):
         reach = self.length + half
         lower, upper = (-4.0 * dx, -reach, -dx), (reach, reach, dx)
         return Simulation(
-            executor, model, particles, lower=lower, upper=upper, observe=self._observer(free, model.elasticity)
+            executor, model, particles, lower=lower, upper=upper, observe=self._observer(free, elasticity)
         )
 
-    def _observer(self, free: np.ndarray, elasticity: Elasticity) -> Callable[[Snapshot, float], dict[str, float]]:
+    def _observer(self, free: np.ndarray, elasticity: Elasticity) -> Observe:
         middle = np.abs(free[:, 1]) < 0.6 * self.spacing
         columns_from_tip = (self.length - free[:, 0]) / self.spacing
         last, second = (np.flatnonzero(middle & (np.abs(columns_from_tip - k) < 0.5)) for k in (0.5, 1.5))
 
-        def observe(state: Snapshot, time: float) -> dict[str, float]:
+        def observe(state: Snapshot, time: float) -> Values:
             y = state["position"][:, 1].astype(float)
+            tip = float(1.5 * y[last].mean() - 0.5 * y[second].mean())
             return {
-                "tip": float(1.5 * y[last].mean() - 0.5 * y[second].mean()),
+                "tip": Measured(tip, "m", "deflection of the tip"),
                 "strain_energy": strain_energy(state, elasticity),
             }
 

@@ -10,9 +10,13 @@ from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Elasticity, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
-from warpsph.run.simulation import Result, Simulation
+from warpsph.core.state import Snapshot
+from warpsph.run.measured import Measured, Values
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
+from warpsph.terms import Elasticity
 
 DENSITY = 2100.0  # [kg/m^3]
 
@@ -41,7 +45,7 @@ class RotatedDisc(Scenario):
             spacing=self.spacing,
             materials=(inert("shell", DENSITY),),
             gravity=(0.0, 0.0, 0.0),
-            elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio, corrected=self.corrected),
+            terms=(Elasticity(self.youngs_modulus, self.poisson_ratio, corrected=self.corrected),),
         )
         square = lattice((-self.radius,) * 2, (self.radius,) * 2, self.spacing)
         particles = Particles()
@@ -55,7 +59,7 @@ class RotatedDisc(Scenario):
         simulation = Simulation(
             executor, model, particles, lower=(-margin,) * 3, upper=(margin,) * 3, observe=self._observe
         )
-        simulation.solver.prepare()  # the bonds keep these positions
+        simulation.prepare()  # the bonds keep these positions
         self._deform(simulation)
         return simulation
 
@@ -65,13 +69,14 @@ class RotatedDisc(Scenario):
         c, s = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
         turn = np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
         simulation.state.position.assign(x @ turn.T)
-        simulation.solver.neighbours.outdated.fill_(1)
+        simulation.state.outdated.fill_(1)
 
-    def _observe(self, state: dict[str, np.ndarray], time: float) -> dict[str, float | np.ndarray]:
+    def _observe(self, state: Snapshot, time: float) -> Values:
         mass = state["mass"].astype(float)[:, None]
+        force = float(np.linalg.norm(mass * state["acceleration"], axis=1).max())
         return {
-            "momentum": np.sum(mass * state["velocity"], axis=0),
-            "largest_force": float(np.linalg.norm(mass * state["acceleration"], axis=1).max()),
+            "momentum": Measured(np.sum(mass * state["velocity"], axis=0), "kg m/s", "momentum", per_depth=True),
+            "largest_force": Measured(force, "N", "largest force on a particle", per_depth=True),
         }
 
     def checks(self, result: Result) -> list[Check]:

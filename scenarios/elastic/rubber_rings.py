@@ -10,10 +10,15 @@ from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Elasticity, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles
-from warpsph.run.diagnostics import Snapshot, strain_energy
-from warpsph.run.simulation import Result, Simulation
+from warpsph.core.state import Snapshot
+from warpsph.run.diagnostics import strain_energy
+from warpsph.run.measured import Measured, Values
+from warpsph.run.recorder import Observe
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
+from warpsph.terms import Contact, Elasticity
 
 LEFT, RIGHT = 0, 1  # the two bodies
 
@@ -62,13 +67,14 @@ class RubberRings(Scenario):
         return place.reshape(-1, 3), (radius * step * dx).ravel()
 
     def build(self, executor: Executor) -> Simulation:
+        elasticity = Elasticity(self.youngs_modulus, self.poisson_ratio, hourglass=self.hourglass)
         model = Model(
             dimension=2,
             spacing=self.spacing,
             support_ratio=self.support_ratio,
             materials=(inert("rubber", self.density),),
             gravity=(0.0, 0.0, 0.0),
-            elasticity=Elasticity(self.youngs_modulus, self.poisson_ratio, hourglass=self.hourglass, contact=True),
+            terms=(elasticity, Contact()),
         )
         ring, volume = self.ring()
         centre = np.array([self.outer_radius + 0.5 * self.gap, 0.0, 0.0])
@@ -83,22 +89,25 @@ class RubberRings(Scenario):
                 body=body,
             )
         reach = np.array([5.0 * self.outer_radius, 2.0 * self.outer_radius, self.spacing])
-        observe = self._observer(model.elasticity)
+        observe = self._observer(elasticity)
         return Simulation(executor, model, particles, lower=-reach, upper=reach, observe=observe)
 
-    def _observer(self, elasticity: Elasticity) -> Callable[[Snapshot, float], dict[str, float | np.ndarray]]:
-        def observe(state: Snapshot, time: float) -> dict[str, float | np.ndarray]:
+    def _observer(self, elasticity: Elasticity) -> Observe:
+        def observe(state: Snapshot, time: float) -> Values:
             left, right = state["body"] == LEFT, state["body"] == RIGHT
             x, mass = state["position"].astype(float), state["mass"].astype(float)[:, None]
             momentum = mass * state["velocity"]
             stretch = np.linalg.svd(state["deformation"].astype(float), compute_uv=False)
+            parting = float((momentum[right] - momentum[left]).sum(axis=0)[0] / mass[left].sum())
+            gap = float(cKDTree(x[left]).query(x[right])[0].min())
+            asymmetry = float(np.abs(x[left] * [-1.0, 1.0, 1.0] - x[right]).max())
             return {
-                "momentum": momentum.sum(axis=0),
-                "separation_speed": float((momentum[right] - momentum[left]).sum(axis=0)[0] / mass[left].sum()),
-                "gap": float(cKDTree(x[left]).query(x[right])[0].min()),
-                "asymmetry": float(np.abs(x[left] * [-1.0, 1.0, 1.0] - x[right]).max()),
-                "stretch_min": float(stretch.min()),
-                "stretch_max": float(stretch.max()),
+                "momentum": Measured(momentum.sum(axis=0), "kg m/s", "momentum", per_depth=True),
+                "separation_speed": Measured(parting, "m/s", "speed at which the bodies part"),
+                "gap": Measured(gap, "m", "least distance of the bodies"),
+                "asymmetry": Measured(asymmetry, "m", "distance from the mirror image"),
+                "stretch_min": Measured(float(stretch.min()), "", "least", panel="stretch"),
+                "stretch_max": Measured(float(stretch.max()), "", "greatest", panel="stretch"),
                 "strain_energy": strain_energy(state, elasticity),
             }
 

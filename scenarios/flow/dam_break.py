@@ -12,13 +12,16 @@ from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import Material, inert
-from warpsph.core.model import Conduction, Fluid, Model
+from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice, tank
-from warpsph.machine.symmetry import SymmetryPlane
-from warpsph.run.simulation import Result, Simulation
+from warpsph.core.state import Snapshot
+from warpsph.machine import SymmetryPlane
+from warpsph.run.measured import Measured, Values
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
+from warpsph.terms import Conduction, Fluid, SummedDensity
 
-GRAVITY = 9.81  # [m/s^2]
-LIQUID, COLD_WALL, TANK, GLASS = 0, 1, 2, 3  # indices of the materials
+LIQUID, COLD_WALL, TANK, GLASS = "liquid", "cold wall", "tank", "glass"  # the materials
 
 
 class DamBreak(Scenario):
@@ -66,20 +69,19 @@ class DamBreak(Scenario):
             dimension=self.dimension,
             spacing=dx,
             materials=(
-                self._conductor("liquid"),
-                self._conductor("cold wall"),
-                inert("tank", self.density, self.viscosity),
-                inert("glass", self.density),
+                self._conductor(LIQUID),
+                self._conductor(COLD_WALL),
+                inert(TANK, self.density, self.viscosity),
+                inert(GLASS, self.density),
             ),
-            fluid=Fluid(self.density, self.sound_speed),
-            conduction=Conduction(),
+            terms=(Fluid(self.density, self.sound_speed), SummedDensity(), Conduction()),
         )
         particles = Particles()
-        particles.add(column, Role.FREE, LIQUID, self.liquid_temperature)
-        particles.add(box[cold], Role.WALL, COLD_WALL, self.wall_temperature)
+        particles.add(column, Role.FREE, LIQUID, temperature=self.liquid_temperature)
+        particles.add(box[cold], Role.WALL, COLD_WALL, temperature=self.wall_temperature)
         particles.add(box[~cold & ~glass], Role.DUMMY, TANK)
         particles.add(box[glass], Role.DUMMY, GLASS)
-        return Simulation(executor, model, particles, devices=self._guards(), observe=self._observe)
+        return Simulation(executor, model, particles, parts=self._guards(), observe=self._observe)
 
     def _guards(self) -> list[SymmetryPlane]:
         """Mirrors at the faces of the tank, for single drops, which hit the wall particles too fast to be held."""
@@ -103,16 +105,19 @@ class DamBreak(Scenario):
             source="round numbers; the thesis counts in units",
         )
 
-    def _observe(self, state: dict[str, np.ndarray], time: float) -> dict[str, float]:
-        liquid, wall = state["material"] == LIQUID, state["material"] == COLD_WALL
+    def _observe(self, state: Snapshot, time: float) -> Values:
+        liquid, wall = state["role"] == Role.FREE, state["role"] == Role.WALL
         position = state["position"][liquid].astype(float)
         heat = state["mass"].astype(float) * state["enthalpy"]
         floor = position[:, 1] < 0.5 * self.width
+        front = float(position[floor, 0].max() + 0.5 * self.spacing) / self.width
+        height = float(position[:, 1].max() + 0.5 * self.spacing) / (2.0 * self.width)
+        of_liquid, of_wall = float(heat[liquid].sum()), float(heat[wall].sum())
         return {
-            "front": float(position[floor, 0].max() + 0.5 * self.spacing) / self.width,
-            "height": float(position[:, 1].max() + 0.5 * self.spacing) / (2.0 * self.width),
-            "heat_of_liquid": float(heat[liquid].sum()),
-            "heat_of_wall": float(heat[wall].sum()),
+            "front": Measured(front, "", "front over L"),
+            "height": Measured(height, "", "height over 2 L"),
+            "heat_of_liquid": Measured(of_liquid, "J", "in the liquid", per_depth=True, panel="heat"),
+            "heat_of_wall": Measured(of_wall, "J", "in the cold wall", per_depth=True, panel="heat"),
         }
 
     @classmethod

@@ -7,13 +7,18 @@ import numpy as np
 
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
+from warpsph.core.equation_of_state import density_of_pressure
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Fluid, Model, SurfaceTension
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
-from warpsph.run.simulation import Result, Simulation
+from warpsph.core.state import Snapshot
+from warpsph.run.measured import Measured, Values
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
 from warpsph.scenarios.flow.drop_shape import ellipse, shape_mode, swing_of
+from warpsph.terms import ColourFieldTension, ContinuityDensity, Fluid, SurfaceTension
 
 CURVED = "p - p_outside = sigma / R in the plane (Laplace)"
 RAYLEIGH = "omega^2 = n (n^2 - 1) sigma / (rho R^3) in the plane (Rayleigh 1879)"
@@ -55,8 +60,11 @@ class Drop(Scenario):
             support_ratio=self.support_ratio,
             materials=(inert("liquid", self.density, self.viscosity),),
             gravity=(0.0, 0.0, 0.0),
-            fluid=Fluid(self.density, self.sound_speed, continuity=True),
-            surface_tension=SurfaceTension(self.tension, published=self.published),
+            terms=(
+                Fluid(self.density, self.sound_speed),
+                ContinuityDensity(),
+                ColourFieldTension(self.tension) if self.published else SurfaceTension(self.tension),
+            ),
         )
         if self.shape == "square":
             half = 0.5 * dx * round(np.sqrt(np.pi) * self.rows)
@@ -64,30 +72,26 @@ class Drop(Scenario):
         else:
             points = ellipse(self.radius, self.elongation, dx)
         particles = Particles()
-        particles.add(points, Role.FREE)
+        pressure = self.tension / self.radius
+        particles.add(points, Role.FREE, density=density_of_pressure(pressure, self.density, self.sound_speed))
         room = 3.0 * self.radius
-        simulation = Simulation(
-            executor, model, particles, lower=(-room,) * 3, upper=(room,) * 3, observe=self._observe
-        )
-        stiffness = self.sound_speed**2 * self.density / 7.0
-        excess = self.tension / self.radius / stiffness
-        simulation.state.density.fill_(self.density * (1.0 + excess) ** (1.0 / 7.0))  # (1.5), solved for the density
-        return simulation
+        return Simulation(executor, model, particles, lower=(-room,) * 3, upper=(room,) * 3, observe=self._observe)
 
-    def _observe(self, state: dict[str, np.ndarray], time: float) -> dict[str, float | np.ndarray]:
+    def _observe(self, state: Snapshot, time: float) -> Values:
         mass, x, u = (state[name].astype(float) for name in ("mass", "position", "velocity"))
         x -= mass @ x / mass.sum()
         radius = float(np.sqrt(mass.sum() / (np.pi * self.density)))
         distance = np.linalg.norm(x, axis=1)
         core, whole = state["pressure"][distance < 0.5 * radius], distance < 1.5 * radius
+        spin = float(np.sum(mass * (x[:, 0] * u[:, 1] - x[:, 1] * u[:, 0])))
         return {
-            "radius": radius,
-            "second_mode": shape_mode(x[whole], radius, 2),
-            "fourth_mode": shape_mode(x[whole], radius, 4),
-            "core_pressure": float(core.mean()),
-            "lost": float(np.mean(~whole)),
-            "momentum": float(np.linalg.norm(mass @ u)),
-            "spin": float(np.sum(mass * (x[:, 0] * u[:, 1] - x[:, 1] * u[:, 0]))),
+            "radius": Measured(radius, "m", "radius of the round drop"),
+            "second_mode": Measured(shape_mode(x[whole], radius, 2), "", "mode 2", panel="amplitude of the outline"),
+            "fourth_mode": Measured(shape_mode(x[whole], radius, 4), "", "mode 4", panel="amplitude of the outline"),
+            "core_pressure": Measured(float(core.mean()), "Pa", "mean pressure within half the radius"),
+            "lost": Measured(float(np.mean(~whole)), "", "part of the particles that have left the drop"),
+            "momentum": Measured(float(np.linalg.norm(mass @ u)), "kg m/s", "momentum", per_depth=True),
+            "spin": Measured(spin, "kg m^2/s", "angular momentum", per_depth=True),
         }
 
     def checks(self, result: Result) -> list[Check]:

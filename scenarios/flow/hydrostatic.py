@@ -1,7 +1,7 @@
 """A column of melt at rest: its pressure, density and stillness against the exact weakly compressible column."""
 
 from collections.abc import Callable, Iterable
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -10,16 +10,20 @@ from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.hydrostatics import column_density, column_pressure, depth_of_pressure
 from warpsph.core.labels import Role
+from warpsph.core.lattice import Lattice
 from warpsph.core.materials import inert
-from warpsph.core.model import Fluid, Model
+from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice, tank
-from warpsph.machine.settling import Settling
-from warpsph.run.simulation import Result, Simulation
+from warpsph.core.state import Snapshot
+from warpsph.machine import Settling
+from warpsph.run.measured import Measured, Values
+from warpsph.run.result import Result
+from warpsph.run.simulation import Simulation
+from warpsph.terms import Fluid, SummedDensity
 
-GRAVITY = 9.81  # [m/s^2]
 THESIS_PRESSURE = 43.8e3  # Vijaykumar (7.1) [Pa]
-COARSE = {"rows": 80, "columns": 40}
-VARIATIONS = (
+COARSE: dict[str, Any] = {"rows": 80, "columns": 40}
+VARIATIONS: tuple[dict[str, Any], ...] = (
     {"support_ratio": 2.6},
     {"support_ratio": 3.5},
     {"viscosity": 200.0},
@@ -60,14 +64,14 @@ class Hydrostatic(Scenario):
     @property
     def spacing(self) -> float:
         """Spacing of the lattice [m] whose rows, with the mass that particles have, weigh as much as the column."""
-        lattice = Model(dimension=2, spacing=1.0, materials=(), support_ratio=self.support_ratio)
-        return self.column_mass * lattice.lattice_density() / (self.density * self.rows)
+        density = Lattice(dimension=2, spacing=1.0, support_ratio=self.support_ratio).density()
+        return self.column_mass * density / (self.density * self.rows)
 
-    def exact_density(self, y: float | np.ndarray) -> np.ndarray:
+    def exact_density(self, y: float | np.ndarray) -> float | np.ndarray:
         """Density [kg/m^3] at the height y [m]."""
         return column_density(self.height - np.asarray(y), self.density, GRAVITY, self.sound_speed)
 
-    def exact_pressure(self, y: float | np.ndarray) -> np.ndarray:
+    def exact_pressure(self, y: float | np.ndarray) -> float | np.ndarray:
         """Pressure [Pa] at the height y [m]."""
         return column_pressure(self.height - np.asarray(y), self.density, GRAVITY, self.sound_speed)
 
@@ -86,7 +90,7 @@ class Hydrostatic(Scenario):
             spacing=dx,
             support_ratio=self.support_ratio,
             materials=(inert("melt", self.density, self.viscosity), inert("wall", self.density)),
-            fluid=Fluid(self.density, self.sound_speed),
+            terms=(Fluid(self.density, self.sound_speed), SummedDensity()),
         )
         melt = lattice((0.0, 0.0), (width, top), dx)
         walls = tank((0.0, 0.0), (width, top + 4.0 * dx), dx)
@@ -94,24 +98,26 @@ class Hydrostatic(Scenario):
             for points in (melt, walls):
                 points[:, 1] = self.settled(points[:, 1])
         particles = Particles()
-        particles.add(melt, Role.FREE)
-        particles.add(walls, Role.DUMMY, material=1)
+        particles.add(melt, Role.FREE, "melt")
+        particles.add(walls, Role.DUMMY, "wall")
         drag = Settling(rate=2.0 * self.sound_speed / self.height, until=self.settling)
-        return Simulation(
-            executor, model, particles, devices=[drag], step_factor=self.step_factor, observe=self._observe
-        )
+        return Simulation(executor, model, particles, parts=[drag], step_factor=self.step_factor, observe=self._observe)
 
-    def _observe(self, state: dict[str, np.ndarray], time: float) -> dict[str, float]:
+    def _observe(self, state: Snapshot, time: float) -> Values:
         melt = state["role"] == Role.FREE
         y, p = state["position"][melt, 1].astype(float), state["pressure"][melt].astype(float)
         error = (p - self.exact_pressure(y)) / self.exact_pressure(0.0)
         low = y < self.height / 8.0
+        bottom_pressure = float(np.polyfit(y[low], p[low], 1)[1])
+        profile_error = float(np.abs(self._slice_means(y, error)).max())
+        mean_speed = float(np.linalg.norm(state["velocity"][melt], axis=1).mean())
+        over = "over that at the bottom"
         return {
-            "bottom_pressure": float(np.polyfit(y[low], p[low], 1)[1]),
-            "profile_error": float(np.abs(self._slice_means(y, error)).max()),
-            "pressure_scatter": float(error.std()),
-            "mean_speed": float(np.linalg.norm(state["velocity"][melt], axis=1).mean()),
-            "level": float(y.max() + 0.5 * self.spacing),
+            "bottom_pressure": Measured(bottom_pressure, "Pa", "pressure at the bottom"),
+            "profile_error": Measured(profile_error, "", f"largest error of the pressure, {over}"),
+            "pressure_scatter": Measured(float(error.std()), "", f"scatter of the pressure, {over}"),
+            "mean_speed": Measured(mean_speed, "m/s", "mean speed"),
+            "level": Measured(float(y.max() + 0.5 * self.spacing), "m", "melt level"),
         }
 
     def _slice_means(self, y: np.ndarray, values: np.ndarray) -> np.ndarray:

@@ -6,11 +6,13 @@ from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from sys import modules
-from typing import Any
+from typing import Any, TypeVar
 
 from warpsph.cases.scenario import Scenario
 from warpsph.errors import InputError
 from warpsph.nearest import did_you_mean
+
+Kind = TypeVar("Kind", bound=Scenario)
 
 
 @dataclass(frozen=True)
@@ -26,8 +28,8 @@ def preset_layer(scenario: type[Scenario], preset: str) -> Layer:
     if preset not in scenario.presets:
         allowed = did_you_mean(preset, scenario.presets) if scenario.presets else "; it has no presets"
         raise InputError(f"{scenario.name}: unknown preset '{preset}'{allowed}")
-    package = modules[scenario.__module__].__spec__.parent
-    resource = files(package) / "presets" / scenario.name / f"{preset}.toml"
+    package = modules[scenario.__module__].__package__
+    resource = files(str(package)) / "presets" / scenario.name / f"{preset}.toml"
     return Layer(f"preset {preset}", _parse_toml(resource.read_bytes(), f"preset {preset}"))
 
 
@@ -52,7 +54,7 @@ def settings_layer(settings: Iterable[str], origin: str = "--set") -> Layer:
     return Layer(origin, values)
 
 
-def resolve(scenario: type[Scenario], layers: Sequence[Layer]) -> Scenario:
+def resolve(scenario: type[Kind], layers: Sequence[Layer]) -> Kind:
     """The scenario with the values of all layers, the last layer first in rank.
 
     Raises:

@@ -5,13 +5,16 @@ from importlib.metadata import version
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic.fields import FieldInfo
 
 from warpsph.cases.check import Check
 from warpsph.errors import InputError
+from warpsph.nearest import did_you_mean
 
-if TYPE_CHECKING:
+if TYPE_CHECKING:  # not at run time: Warp takes long to import, and help must appear at once
     from warpsph.core.executor import Executor
-    from warpsph.run.simulation import Result, Simulation
+    from warpsph.run.result import Result
+    from warpsph.run.simulation import Simulation
 
 _registry: dict[str, type["Scenario"]] = {}
 
@@ -26,6 +29,12 @@ def parameter(default: Any, unit: str, meaning: str, **bounds: Any) -> Any:
         bounds: ``gt``, ``ge``, ``lt``, ``le`` as in pydantic.
     """
     return Field(default, description=meaning, json_schema_extra={"unit": unit}, **bounds)
+
+
+def unit_of(field: FieldInfo) -> str:
+    """The unit of a field that was declared by :func:`parameter`."""
+    extra = field.json_schema_extra
+    return str(extra.get("unit", "")) if isinstance(extra, dict) else ""
 
 
 class Scenario(BaseModel):
@@ -70,7 +79,12 @@ class Scenario(BaseModel):
 
         executor = Executor(device, threads)
         simulation = self.build(executor)
-        options = {"duration": self.duration, "output_interval": self.output_interval} | options
+        own: dict[str, Any] = {
+            "duration": self.duration,
+            "output_interval": self.output_interval,
+            "parameters": self.as_dict(),
+        }
+        options = own | options
         return simulation.run(**options)
 
     def checks(self, result: "Result") -> list[Check]:
@@ -99,8 +113,6 @@ def registered_scenarios() -> dict[str, type[Scenario]]:
 
 
 def _one_line(scenario: type[Scenario], error: ValidationError) -> str:
-    from warpsph.nearest import did_you_mean
-
     first = error.errors()[0]
     reason = first["msg"].removeprefix("Value error, ")
     key = ".".join(str(part) for part in first["loc"])
@@ -109,6 +121,6 @@ def _one_line(scenario: type[Scenario], error: ValidationError) -> str:
     if first["type"] == "extra_forbidden":
         return f"{scenario.name}: unknown parameter '{key}'{did_you_mean(key, scenario.model_fields)}"
     field = scenario.model_fields.get(key)
-    unit = (field.json_schema_extra or {}).get("unit", "") if field else ""
+    unit = unit_of(field) if field else ""
     given = first.get("input")
     return f"{scenario.name}: {key} = {given!r}: {reason}" + (f" [{unit}]" if unit else "")

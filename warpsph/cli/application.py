@@ -1,8 +1,10 @@
-"""The ``warpsph`` command as a whole: its subcommands, and what becomes of an error."""
+"""The ``warpsph`` command as a whole: its subcommands, and what becomes of an error or a warning."""
 
 import sys
-from collections.abc import Sequence
+import warnings
+from collections.abc import Callable, Sequence
 from importlib.metadata import version
+from typing import Any
 
 from cyclopts import App, CycloptsError, Parameter
 
@@ -31,7 +33,8 @@ application = App(
     version=lambda: f"warpsph {version('warpsph')}",
 )
 application.command(list_scenarios, name="list", sort_key=0)
-for position, command in enumerate((describe, run, render, plot, verify, info), start=1):
+COMMANDS: tuple[Callable[..., Any], ...] = (describe, run, render, plot, verify, info)
+for position, command in enumerate(COMMANDS, start=1):
     application.command(command, sort_key=position)
 
 
@@ -42,6 +45,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: the words after ``warpsph``; those of this process by default.
     """
     tokens = list(sys.argv[1:] if arguments is None else arguments)
+    with warnings.catch_warnings():
+        warnings.showwarning = lambda message, *_, **__: complain(str(message))
+        return _exit_code(tokens)
+
+
+def _exit_code(tokens: list[str]) -> int:
     try:
         return application(tokens, exit_on_error=False, print_error=False, result_action="return_value") or 0
     except CycloptsError as error:

@@ -19,7 +19,7 @@ def error_console() -> Console:
 
 
 def complain(message: str) -> None:
-    """Write an error as one line."""
+    """Write an error or a warning as one line."""
     line = " ".join(message.split())
     style = "bold red" if error_console().is_terminal else None
     error_console().print("warpsph:", line, style=style, markup=False, highlight=False, emoji=False, soft_wrap=True)

@@ -7,7 +7,7 @@ from rich.table import Table
 from rich.text import Text
 
 from warpsph.cases.case import preset_layer
-from warpsph.cases.scenario import Scenario
+from warpsph.cases.scenario import Scenario, unit_of
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import output_console
 
@@ -39,8 +39,7 @@ def _parameters(scenario: type[Scenario]) -> Table:
     for heading in ("default", "bounds", "meaning"):
         table.add_column(heading)
     for key, field in scenario.model_fields.items():
-        unit = (field.json_schema_extra or {}).get("unit", "")
-        cells = (key, unit, show_value(field.default), _bounds(field), field.description or "")
+        cells = (key, unit_of(field), show_value(field.default), _bounds(field), field.description or "")
         table.add_row(*(Text(cell) for cell in cells))
     return table
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+import numpy as np
 from rich.table import Table
 from rich.text import Text
 
@@ -20,7 +21,7 @@ def info(file: Path, /) -> None:
         A VTKHDF file written by `warpsph run`.
     """
     result = ResultFile(file)
-    last = {name: series[-1] for name, series in result.diagnostics.items() if len(series)}
+    last = {name: result.diagnostics[name][-1] for name in result.quantities if len(result.diagnostics[name])}
     events = [(f"{time:.4g} s", text) for time, text in result.events]
     console = output_console()
     sections = {
@@ -53,7 +54,6 @@ def _section(title: str, rows: Iterable[tuple[str, object]]) -> Table:
 
 
 def _show(value: object) -> str:
-    size = getattr(value, "size", 1)
-    if size > 1:
-        return f"{size} values from {value.min():.6g} to {value.max():.6g}"
+    if isinstance(value, np.ndarray) and value.size > 1:
+        return f"{value.size} values from {value.min():.6g} to {value.max():.6g}"
     return show_value(value)

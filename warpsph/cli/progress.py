@@ -1,26 +1,22 @@
 """The progress of a run on standard error: a bar on a terminal, a plain line every few seconds elsewhere."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import timedelta
-from typing import TYPE_CHECKING
 
 from rich.console import Console
 from rich.progress import BarColumn, SpinnerColumn, TaskProgressColumn, TextColumn
 from rich.progress import Progress as Bars
 
-if TYPE_CHECKING:
-    from warpsph.run.progress import Progress
+from warpsph.run.progress import Progress, Report
 
 PLAIN_INTERVAL = 5.0  # s between two lines
-
-Report = Callable[["Progress"], None]
 
 
 @contextmanager
 def shown_progress(title: str, console: Console) -> Iterator[Report]:
-    """Yield a function that shows a :class:`warpsph.run.simulation.Progress`."""
+    """Yield a function that shows a :class:`warpsph.run.progress.Progress`."""
     if console.is_terminal:
         with _bars(console) as bars:
             task = bars.add_task(title, total=None, status="preparing; the first run compiles its kernels")
@@ -39,7 +35,7 @@ def _bars(console: Console) -> Bars:
 def _plain_lines(title: str, console: Console) -> Report:
     next_line = time.monotonic()
 
-    def report(progress: "Progress") -> None:
+    def report(progress: Progress) -> None:
         nonlocal next_line
         if time.monotonic() < next_line and progress.time < progress.duration:
             return
@@ -50,7 +46,7 @@ def _plain_lines(title: str, console: Console) -> Report:
     return report
 
 
-def _status(progress: "Progress") -> str:
+def _status(progress: Progress) -> str:
     left = timedelta(seconds=round(progress.seconds_left)) if progress.seconds_left < 1e8 else "?"
     parts = [
         f"{progress.time:.3f}/{progress.duration:g} s",

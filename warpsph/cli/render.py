@@ -8,6 +8,7 @@ from cyclopts.validators import Number
 from rich.text import Text
 
 from warpsph.cli.consoles import error_console, output_console
+from warpsph.cli.target import check_target
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 
@@ -84,10 +85,7 @@ def _plane(cut: str | None) -> tuple[int, float] | None:
 def _target(file: Path, field: str | None, output: Path | None, suffix: str) -> Path:
     if output is None:
         return file.with_name(f"{file.stem}-{field}{suffix}" if field else f"{file.stem}{suffix}")
-    if output.suffix.lower() != suffix:
-        raise InputError(f"--output '{output}': give a name that ends in {suffix}")
-    if not output.parent.is_dir():
-        raise InputError(f"--output '{output}': there is no folder '{output.parent}'; make it first")
+    check_target(output, suffix)
     return output
 
 

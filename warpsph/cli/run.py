@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from cyclopts import Parameter, Token
 from cyclopts.validators import Number
@@ -15,10 +15,9 @@ from warpsph.cases.scenario import Scenario
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
+from warpsph.cli.target import check_target
 from warpsph.errors import DivergenceError, InputError
-
-if TYPE_CHECKING:
-    from warpsph.run.simulation import Result
+from warpsph.run.result import Result
 
 RESULTS = Path("results")
 
@@ -81,7 +80,7 @@ def run(
     kind = find_scenario(name)
     preset = preset or (None if case else kind.default_preset)
     scenario = resolve(kind, _layers(kind, preset, case, settings, until, every))
-    path = _target(output, "-".join(filter(None, [name, case.stem if case else preset])))
+    path = _target(output, "-".join(filter(None, [name, case.stem if case else preset])), overwrite)
     result = _simulate(scenario, device, threads, path, overwrite, quiet)
     if not quiet:
         _conclude(result, path)
@@ -104,23 +103,26 @@ def _layers(
     return layers
 
 
-def _target(output: Path | None, default_stem: str) -> Path:
-    if output is None:
-        return RESULTS / f"{default_stem}.vtkhdf"
-    if output.suffix != ".vtkhdf":
-        raise InputError(f"--output '{output}': results are VTKHDF files; give a name that ends in .vtkhdf")
-    return output
+def _target(output: Path | None, default_stem: str, overwrite: bool) -> Path:
+    path = output or RESULTS / f"{default_stem}.vtkhdf"
+    if output is not None:
+        check_target(output, ".vtkhdf")
+    if path.exists() and not overwrite:
+        raise InputError(f"{path}: exists already; choose another name with --output, or give --overwrite")
+    return path
 
 
-def _simulate(
-    scenario: Scenario, device: str, threads: int | None, path: Path, overwrite: bool, quiet: bool
-) -> "Result":
+def _simulate(scenario: Scenario, device: str, threads: int | None, path: Path, overwrite: bool, quiet: bool) -> Result:
     from warpsph.core.executor import Executor
 
-    with nullcontext() if quiet else shown_progress(scenario.name, error_console()) as report:
-        simulation = scenario.build(Executor(device, threads))
+    console = error_console()
+    executor = Executor(device, threads)
+    with nullcontext() if quiet else shown_progress(scenario.name, console) as report:
+        simulation = scenario.build(executor)
         if path.parent == RESULTS:
             _make_results_folder()
+        if not quiet:
+            console.print(f"{scenario.name}: computing on {executor.description}", markup=False, soft_wrap=True)
         try:
             return simulation.run(
                 scenario.duration,
@@ -141,7 +143,7 @@ def _make_results_folder() -> None:
         raise InputError(f"the folder {RESULTS} cannot be made: {error.strerror}; give --output") from None
 
 
-def _conclude(result: "Result", path: Path) -> None:
+def _conclude(result: Result, path: Path) -> None:
     console = output_console()
     table = Table.grid(padding=(0, 2))
     for quantity, value in result.summary.items():

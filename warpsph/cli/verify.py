@@ -1,7 +1,7 @@
 """``warpsph verify``."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 from cyclopts import Parameter
 from rich.text import Text
@@ -13,9 +13,7 @@ from warpsph.cli.catalogue import all_scenarios, find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError
-
-if TYPE_CHECKING:
-    from warpsph.run.simulation import Result
+from warpsph.run.result import Result
 
 
 def verify(
@@ -55,7 +53,7 @@ def verify(
     return DivergenceError.exit_code if diverged else int(failed > 0)
 
 
-def _simulate(scenario: Scenario) -> "Result":
+def _simulate(scenario: Scenario) -> Result:
     with shown_progress(scenario.name, error_console()) as report:
         result = scenario.run(progress=report)
     if result.status == "interrupted":

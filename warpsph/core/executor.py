@@ -1,6 +1,7 @@
 """Where kernels run: one CUDA graph on a GPU, one graph a thread on a CPU. The only place that decides."""
 
 import os
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
@@ -8,6 +9,7 @@ from pathlib import Path
 
 import warp as wp
 
+from warpsph.core.driver import cuda_versions, driver_complaint, driver_is_here
 from warpsph.errors import InputError
 from warpsph.kernels.basics.barrier import barrier
 
@@ -30,7 +32,7 @@ class Executor:
     same bits for any number of threads, because every kernel writes its own particle only.
 
     Args:
-        device: "auto" (a CUDA device where there is one), "cpu" or "cuda:N".
+        device: "auto" (a CUDA device where there is one; where there should be one, a warning), "cpu" or "cuda:N".
         threads: CPU threads, all cores by default; ignored on a GPU.
 
     Raises:
@@ -50,7 +52,15 @@ class Executor:
 
     @property
     def device_name(self) -> str:
+        """Name of the device, for people."""
         return self.device.name if self.device.is_cuda else "cpu"
+
+    @property
+    def description(self) -> str:
+        """Device and threads, for people."""
+        if self.device.is_cuda:
+            return f"{self.device.name} ({self.device.alias})"
+        return f"cpu, {self.threads} thread{'s' if self.threads > 1 else ''}"
 
     @property
     def on_cuda(self) -> bool:
@@ -117,9 +127,14 @@ class Executor:
         for job in jobs:
             job.result()
 
-    def _meet(self) -> None:
-        if self._slice is not None and self.threads > 1 and not self._in_section:
+    def meet(self) -> None:
+        """Let what follows wait for what came before, inside a section too."""
+        if self._slice is not None and self.threads > 1:
             wp.launch(barrier, dim=1, inputs=[self._meeting, self.threads], device=self.device)
+
+    def _meet(self) -> None:
+        if not self._in_section:
+            self.meet()
 
 
 def _replay(schedule: Sequence[tuple[Recording, int]], index: int) -> None:
@@ -154,12 +169,16 @@ def available_cores() -> int:
 
 def _find_device(name: str) -> wp.Device:
     available = ["cpu"] + [device.alias for device in wp.get_cuda_devices()]
+    complaint = driver_complaint(driver_is_here(), *cuda_versions()) if len(available) == 1 else None
     if name == "auto":
         name = available[1] if len(available) > 1 else "cpu"
+        if complaint:
+            warnings.warn(f"{complaint}; this run computes on the CPU", stacklevel=3)
     if name == "cuda":
         name = "cuda:0"
     if name not in available:
-        raise InputError(f"device '{name}' is not here; available: auto, {', '.join(available)}")
+        reason = complaint or f"available: auto, {', '.join(available)}"
+        raise InputError(f"device '{name}' is not here; {reason}")
     return wp.get_device(name)
 
 

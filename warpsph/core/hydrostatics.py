@@ -5,7 +5,8 @@ The equations follow from dp/dz = -rho g with p = 0 at the surface and Tait's eq
 
 import numpy as np
 
-GAMMA = 7.0
+from warpsph.core.equation_of_state import pressure_of_density
+from warpsph.kernels.flow.equation_of_state import GAMMA
 
 
 def column_density(depth: np.ndarray | float, density: float, gravity: float, sound_speed: float) -> np.ndarray | float:
@@ -18,8 +19,7 @@ def column_pressure(
     depth: np.ndarray | float, density: float, gravity: float, sound_speed: float
 ) -> np.ndarray | float:
     """Pressure [Pa] at a depth [m] below the free surface."""
-    ratio = column_density(depth, density, gravity, sound_speed) / density
-    return sound_speed**2 * density / GAMMA * (ratio**GAMMA - 1.0)
+    return pressure_of_density(column_density(depth, density, gravity, sound_speed), density, sound_speed)
 
 
 def depth_of_pressure(
@@ -37,4 +37,4 @@ def row_heights(rows: int, spacing: float, gravity: float, sound_speed: float) -
     """
     weight = gravity * spacing  # of a row, over the density
     depth = depth_of_pressure(weight * (np.arange(rows, 0, -1) - 0.5), 1.0, gravity, sound_speed)
-    return depth_of_pressure(weight * rows, 1.0, gravity, sound_speed) - depth
+    return np.asarray(depth_of_pressure(weight * rows, 1.0, gravity, sound_speed) - depth)

@@ -44,15 +44,15 @@ class Material:
                 f"material {self.name}: solidus {self.solidus} K must lie below liquidus {self.liquidus} K"
             )
 
-    def enthalpy(self, temperature: float | np.ndarray) -> float | np.ndarray:
+    def enthalpy(self, temperature: float | np.ndarray) -> np.ndarray:
         """Specific enthalpy [J/kg] at a temperature [K]."""
         return _piecewise_linear(temperature, self.temperatures, self.enthalpies)
 
-    def temperature(self, enthalpy: float | np.ndarray) -> float | np.ndarray:
+    def temperature(self, enthalpy: float | np.ndarray) -> np.ndarray:
         """Temperature [K] at a specific enthalpy [J/kg]."""
         return _piecewise_linear(enthalpy, self.enthalpies, self.temperatures)
 
-    def solid_fraction(self, temperature: float | np.ndarray) -> float | np.ndarray:
+    def solid_fraction(self, temperature: float | np.ndarray) -> np.ndarray:
         """Solid fraction at a temperature [K]."""
         return np.clip((self.liquidus - np.asarray(temperature)) / (self.liquidus - self.solidus), 0.0, 1.0)
 

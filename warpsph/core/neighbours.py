@@ -1,118 +1,149 @@
 """The neighbour list of a simulation: when it is renewed, and the sorting that goes with it."""
 
+from collections.abc import Callable
+
 import numpy as np
 import warp as wp
 
-from warpsph.core.executor import Executor
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
 from warpsph.core.state import State
-from warpsph.kernels.neighbours.cells import Grid, sort_into_cells
+from warpsph.errors import DivergenceError
+from warpsph.kernels.neighbours.cells import (
+    Grid,
+    clear,
+    count_particles,
+    find_cells,
+    place_particles,
+    sort_within_cells,
+)
 from warpsph.kernels.neighbours.lists import clear_flag, list_neighbours
 from warpsph.kernels.neighbours.pairs import NeighbourList
-from warpsph.kernels.neighbours.reorder import copy, invert, reorder, words
-from warpsph.kernels.solid import bonds as bond_kernels
+from warpsph.kernels.neighbours.reorder import COPY, GATHER
+from warpsph.kernels.neighbours.scan import PARTS, sum_before_parts, sum_parts, sum_within_parts
+
+CIRCLE_OR_SPHERE = {2: np.pi, 3: 4.0 / 3.0 * np.pi}
 
 
 class Neighbours:
-    """A list of all pairs within support + skin, renewed on the device when a particle has moved half the skin.
+    """A list of all pairs within reach + skin, renewed on the device when a particle has moved half the skin.
+
+    The state gets ``neighbours``, the rows for the kernels; ``outdated`` (1,), not zero when the list must be renewed
+    before the next use; ``reference`` (n,), the positions at which it was made; ``renewals`` (1,), how often;
+    ``longest_row`` (1,), not zero when a row was too short; and ``reservoir_start`` (materials + 1,), the index of the
+    first particle in the reservoir by material, and the number of particles.
 
     Args:
-        executor: launches.
+        launch: launches.
+        model: gives dimension, spacing and number of materials.
         state: the particles; they are sorted by cell at every renewal.
-        support: H [m].
-        skin: added to the support [m].
-        lower, upper: the box that holds most particles [m]; others are found too, only slower.
-        dimension: 2 or 3.
-        materials: number of materials (each has its place behind the grid for particles in the reservoir).
-
-    Attributes:
-        list: the rows of neighbours for the kernels.
-        outdated: (1,) not zero when the list must be renewed before the next use.
-        renewals: (1,) how often it has been renewed.
-        longest_row: (1,) not zero when a row was too short for its neighbours.
-        reservoir_start: (materials + 1,) at the last renewal, the index of the first particle in the reservoir by
-            material, and the number of particles.
+        reach: farthest distance of two neighbours [m].
+        skin: added to the reach [m].
+        lower, upper: the box (3,) that holds most particles [m]; others are found too, only slower.
+        on_sorted: done when the particles have been sorted; ``order`` and ``place`` are known to its launches.
+        on_listed: done when the list has been made.
     """
 
     def __init__(
         self,
-        executor: Executor,
+        launch: Launch,
+        model: Model,
         state: State,
-        support: float,
+        reach: float,
         skin: float,
         lower: np.ndarray,
         upper: np.ndarray,
-        dimension: int,
-        materials: int,
-        spacing: float,
+        on_sorted: Callable[[], None] = lambda: None,
+        on_listed: Callable[[], None] = lambda: None,
     ):
-        device = executor.device
-        self.executor = executor
         self.state = state
-        self.radius = support + skin
-        self.half_skin = 0.5 * skin
-        n = state.count
-
-        self.grid = Grid()
-        self.grid.origin = wp.vec3(*np.asarray(lower, float))
-        self.grid.inverse_size = 1.0 / self.radius
-        shape = np.maximum(np.ceil((np.asarray(upper) - np.asarray(lower)) / self.radius).astype(int), 1)
-        self.grid.nx, self.grid.ny, self.grid.nz = (int(m) for m in shape)
-        cells = int(np.prod(shape))
-
-        self.list = NeighbourList()
-        per_volume = {2: np.pi, 3: 4.0 / 3.0 * np.pi}[dimension] * (self.radius / spacing) ** dimension
-        self.list.capacity = int(1.6 * per_volume) + 8
-        self.list.count = wp.zeros(n, dtype=int, device=device)
-        self.list.entry = wp.zeros(n * self.list.capacity, dtype=int, device=device)
-        self.list.row_stride, self.list.entry_stride = (1, n) if executor.on_cuda else (self.list.capacity, 1)
-
-        self.reference = wp.zeros(n, dtype=wp.vec3, device=device)
-        self.outdated = wp.ones(1, dtype=int, device=device)
-        self.renewals = wp.zeros(1, dtype=int, device=device)
-        self.longest_row = wp.zeros(1, dtype=int, device=device)
-        self._cell, self._rank, self._order, self._place = (wp.zeros(n, dtype=int, device=device) for _ in range(4))
-        self._start = wp.zeros(cells + materials + 1, dtype=int, device=device)
-        self.reservoir_start = self._start[cells:]
-        self._spares: list[wp.array] = []
-        self._spare_bonds = _like(state.bonds) if state.bonds is not None else None
+        self.radius, self.half_skin = reach + skin, 0.5 * skin
+        self._on_sorted, self._on_listed = on_sorted, on_listed
+        self.grid = _grid(np.asarray(lower, float), np.asarray(upper, float), self.radius)
+        self._cells = self.grid.nx * self.grid.ny * self.grid.nz
+        self._places = self._cells + len(model.materials)
+        self._hold_arrays(launch.executor.on_cuda, model)
+        self.launch = launch.within({"grid": self.grid, "radius": self.radius})
+        types = {name: field.dtype for field in state.fields.values() for name in (field.name, field.carry_name)}
+        self._moves = [
+            (types[name], array, state.hold(f"spare.{name}", wp.empty_like(array), scratch=True))
+            for name, array in state.kept.items()
+        ]
 
     def renew_if_outdated(self) -> None:
         """Sort the particles and list the neighbours anew if ``outdated`` says so."""
-        if not self._spares:  # once the devices have added their arrays
-            self._spares = [
-                wp.empty(words(array).shape, dtype=int, device=array.device) for array in self.state.arrays_to_keep()
-            ]
-        self.executor.when(self.outdated, self._renew)
+        self.launch.when("outdated", self._renew)
+
+    def check(self) -> None:
+        """Look whether a row was too short.
+
+        Raises:
+            DivergenceError: particles have collapsed onto each other.
+        """
+        refuse_overflow(self.state.longest_row, self.state.neighbours.capacity, self.state)
 
     def _renew(self) -> None:
-        launch, state = self.executor, self.state
-        sort_into_cells(
-            launch,
-            self.grid,
-            state.position,
-            state.role,
-            state.material,
-            self._cell,
-            self._rank,
-            self._start,
-            self._order,
-        )
-        reorder(launch, self._order, [words(array) for array in state.arrays_to_keep()], self._spares)
-        if state.bonds is not None:
-            invert(launch, self._order, self._place)
-            bond_kernels.reorder_bonds(launch, self._order, self._place, state.bonds, self._spare_bonds)
-        list_neighbours(
-            launch, self.grid, self._start, state.position, state.role, self.radius, self.list, self.longest_row
-        )
-        if state.bonds is not None:
-            bond_kernels.mark_bonded_neighbours(launch, self.list, state.bonds)
-        copy(launch, words(state.position), words(self.reference))
-        clear_flag(launch, self.outdated, self.renewals)
+        self._sort_into_cells()
+        with self.launch.section():
+            for dtype, array, spare in self._moves:
+                self.launch(GATHER[dtype], source=array, target=spare)
+        with self.launch.section():
+            for dtype, array, spare in self._moves:
+                self.launch(COPY[dtype], source=spare, target=array)
+        self._on_sorted()
+        self.launch(list_neighbours)
+        self._on_listed()
+        self.launch(COPY[wp.vec3], source=self.state.position, target=self.state.reference)
+        self.launch.whole(clear_flag, flag=self.state.outdated, counter=self.state.renewals)
+
+    def _sort_into_cells(self) -> None:
+        """Order particles by cell, and within a cell by their present place, so that the result is reproducible.
+
+        Particles in the reservoir come last, by material: behind the cells of the grid, ``start`` has one a material.
+        """
+        launch, start = self.launch, self.state.start
+        launch(find_cells)
+        launch(clear, self._places + 1, values=start)
+        launch.whole(count_particles, launch.count)
+        launch(sum_parts, PARTS, values=start)
+        launch.whole(sum_before_parts)
+        launch(sum_within_parts, PARTS, values=start)
+        launch(place_particles)
+        launch(sort_within_cells, self._places)
+
+    def _hold_arrays(self, on_cuda: bool, model: Model) -> None:
+        state, n = self.state, self.state.count
+        rows = NeighbourList()
+        per_volume = CIRCLE_OR_SPHERE[model.dimension] * (self.radius / model.spacing) ** model.dimension
+        rows.capacity = int(1.6 * per_volume) + 8
+        rows.count = wp.zeros(n, dtype=int, device=state.device)
+        rows.entry = wp.zeros(n * rows.capacity, dtype=int, device=state.device)
+        rows.row_stride, rows.entry_stride = (1, n) if on_cuda else (rows.capacity, 1)
+        state.hold_list("neighbours", rows)
+        state.hold("reference", wp.zeros(n, dtype=wp.vec3, device=state.device))
+        state.hold("outdated", wp.ones(1, dtype=int, device=state.device))
+        for name in ("renewals", "longest_row"):
+            state.hold(name, wp.zeros(1, dtype=int, device=state.device))
+        state.hold("start", wp.zeros(self._places + 1, dtype=int, device=state.device))
+        state.hold("reservoir_start", state.start[self._cells :])
+        for name, size in (("cell", n), ("rank", n), ("order", n), ("place", n), ("parts", PARTS)):
+            state.hold(name, wp.zeros(size, dtype=int, device=state.device), scratch=True)
 
 
-def _like(bonds: bond_kernels.BondList) -> bond_kernels.BondList:
-    spare = bond_kernels.BondList()
-    spare.capacity = bonds.capacity
-    for name in ("count", "partner", "separation", "slope", "value"):
-        setattr(spare, name, wp.empty_like(getattr(bonds, name)))
-    return spare
+def refuse_overflow(longest: wp.array, capacity: int, state: State) -> None:
+    """Raise DivergenceError where ``longest`` (1,) says that a row had more entries than its ``capacity``."""
+    if (length := int(longest.numpy()[0])) > 0:
+        raise DivergenceError(
+            f"{length} neighbours around one particle, {capacity} expected at most, before "
+            f"t = {state.time.numpy()[0]:.6g} s: particles have collapsed onto each other; a smaller time step or a "
+            "higher sound speed may help"
+        )
+
+
+def _grid(lower: np.ndarray, upper: np.ndarray, size: float) -> Grid:
+    grid = Grid()
+    grid.origin = wp.vec3(*lower)
+    grid.inverse_size = 1.0 / size
+    shape = np.maximum(np.ceil((upper - lower) / size).astype(int), 1)
+    grid.nx, grid.ny, grid.nz = (int(m) for m in shape)
+    return grid

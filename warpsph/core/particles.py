@@ -1,68 +1,119 @@
 """Placing particles on the host, before they become the state of a simulation."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from warpsph.core.labels import Phase, Role
+from warpsph.errors import InputError
+
+
+@dataclass
+class Block:
+    """Particles that were added together: places (n, 3) [m], a role, the name of a material, and values by field."""
+
+    position: np.ndarray
+    role: np.ndarray
+    material: str | None
+    volume: np.ndarray
+    flows: np.ndarray
+    values: dict[str, np.ndarray]
 
 
 @dataclass
 class Particles:
-    """Particles under construction: NumPy arrays that grow by :meth:`add`.
+    """Particles under construction; they grow by :meth:`add`."""
 
-    Fields: position (n, 3) [m], velocity (n, 3) [m/s], role (n,), material (n,), phase (n,), body (n,), temperature
-    (n,) [K]; ``held`` (n,), whether the temperature stays; ``flows`` (n,), whether the particle counts in the sums of
-    the fluid; ``volume`` (n,) [m^3, or m^2 in 2D], or 0 for a cell of the lattice.
-    """
-
-    position: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
-    velocity: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
-    role: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
-    material: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
-    phase: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
-    body: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
-    temperature: np.ndarray = field(default_factory=lambda: np.zeros(0))
-    held: np.ndarray = field(default_factory=lambda: np.zeros(0, np.int32))
-    flows: np.ndarray = field(default_factory=lambda: np.zeros(0, bool))
-    volume: np.ndarray = field(default_factory=lambda: np.zeros(0))
+    blocks: list[Block] = field(default_factory=list)
 
     def __len__(self) -> int:
-        return len(self.position)
+        return sum(len(block.position) for block in self.blocks)
 
     def add(
         self,
         position: np.ndarray,
-        role: Role,
-        material: int = 0,
-        temperature: float | np.ndarray = 293.15,
+        role: Role | np.ndarray,
+        material: str | None = None,
+        *,
         velocity: tuple[float, float, float] | np.ndarray = (0.0, 0.0, 0.0),
-        held: bool | np.ndarray = False,
-        flows: bool = True,
+        phase: Phase | np.ndarray = Phase.LIQUID,
         volume: float | np.ndarray = 0.0,
-        phase: Phase = Phase.LIQUID,
-        body: int = 0,
+        flows: bool | np.ndarray = True,
+        **fields: float | np.ndarray,
     ) -> None:
-        """Append particles at ``position`` (n, 3); the other values are one for all or one each.
+        """Append particles at ``position`` (n, 3) [m]; the other values are one for all or one each.
 
-        ``held`` particles keep their temperature and account for the heat they take. Particles whose ``phase`` is solid
-        are bonded as they stand where the model is elastic; a phase change may melt them later. Solids of different
-        ``body`` press on each other where the model has contact.
+        Args:
+            position: places (n, 3) [m].
+            role: who moves them.
+            material: name of one of the model's materials; None is the only one that the model has.
+            velocity: (3,) or (n, 3) [m/s].
+            phase: those whose phase is solid are bonded as they stand where the model is elastic; a phase change may
+                melt them later.
+            volume: [m^3], or [m^2] in 2D; 0 for a cell of the lattice.
+            flows: whether they count in the sums of the fluid.
+            fields: values of any field that a term of the model declares, by its name: ``temperature`` [K]; ``held``,
+                whether the temperature stays and the heat they take is counted; ``body``, to which they belong.
         """
         n = len(position)
-        self.position = np.concatenate([self.position, position])
-        self.velocity = np.concatenate([self.velocity, np.broadcast_to(velocity, (n, 3))])
-        self.role = np.concatenate([self.role, np.full(n, int(role), np.int32)])
-        self.material = np.concatenate([self.material, np.full(n, material, np.int32)])
-        self.phase = np.concatenate([self.phase, np.full(n, int(phase), np.int32)])
-        self.body = np.concatenate([self.body, np.full(n, body, np.int32)])
-        self.temperature = np.concatenate([self.temperature, np.broadcast_to(temperature, n)])
-        self.held = np.concatenate([self.held, np.broadcast_to(held, n).astype(np.int32)])
-        self.flows = np.concatenate([self.flows, np.full(n, flows)])
-        self.volume = np.concatenate([self.volume, np.broadcast_to(volume, n)])
+        given = {"velocity": velocity, "phase": phase} | fields
+        self.blocks.append(
+            Block(
+                np.asarray(position, float),
+                np.broadcast_to(np.asarray(role, np.int32), n),
+                material,
+                np.broadcast_to(np.asarray(volume, float), n),
+                np.broadcast_to(np.asarray(flows, bool), n),
+                {name: np.array(value) for name, value in given.items()},
+            )
+        )
+
+    @property
+    def position(self) -> np.ndarray:
+        """Places (n, 3) [m]."""
+        return np.concatenate([block.position for block in self.blocks] or [np.zeros((0, 3))])
+
+    @property
+    def role(self) -> np.ndarray:
+        """Roles (n,)."""
+        return np.concatenate([block.role for block in self.blocks] or [np.zeros(0, np.int32)])
+
+    @property
+    def volume(self) -> np.ndarray:
+        """Volumes (n,) [m^3 or m^2], 0 for a cell of the lattice."""
+        return np.concatenate([block.volume for block in self.blocks] or [np.zeros(0)])
+
+    @property
+    def flows(self) -> np.ndarray:
+        """Which particles (n,) count in the sums of the fluid."""
+        return np.concatenate([block.flows for block in self.blocks] or [np.zeros(0, bool)])
+
+    @property
+    def given(self) -> list[str]:
+        """Names of the fields of which some particles have been given values."""
+        return list(dict.fromkeys(name for block in self.blocks for name in block.values))
+
+    def column(self, name: str, shape: tuple[int, ...], start: float) -> np.ndarray:
+        """Values (n, *shape) of a field, ``start`` where none were given.
+
+        Raises:
+            InputError: the values do not fit the particles that they were given to.
+        """
+        columns = [np.zeros((0, *shape))]
+        for block in self.blocks:
+            values, n = block.values.get(name, np.asarray(start)), len(block.position)
+            try:
+                columns.append(np.broadcast_to(values, (n, *shape)))
+            except ValueError:
+                raise InputError(
+                    f"particles: '{name}' was given values of shape {values.shape}; {n} particles take one for all "
+                    f"{shape} or one each {(n, *shape)}"
+                ) from None
+        return np.concatenate(columns)
 
 
-def lattice(lower: tuple[float, ...], upper: tuple[float, ...], spacing: float) -> np.ndarray:
+def lattice(lower: Sequence[float], upper: Sequence[float], spacing: float) -> np.ndarray:
     """Centres (n, 3) of the square (or cubic) cells of edge ``spacing`` that fill a box, z = 0 for a box in the plane.
 
     Each edge holds the nearest whole number of cells; the lattice starts at ``lower``.

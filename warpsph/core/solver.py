@@ -1,47 +1,37 @@
-"""One step of the simulation, term by term."""
+"""One step of the simulation, stage by stage."""
 
-from collections.abc import Sequence
+from collections import ChainMap
+from typing import Any
 
 import numpy as np
 import warp as wp
 
-from warpsph.core.constants import (
-    colour_field_constants,
-    contact_constants,
-    elastic_constants,
-    fluid_constants,
-    surface_constants,
-    thermal_table,
-)
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase
+from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.neighbours import Neighbours
 from warpsph.core.state import State
-from warpsph.core.term import BoundaryDevice
-from warpsph.kernels.basics import motion
-from warpsph.kernels.basics.smoothing import normalisation
-from warpsph.kernels.flow import colour_field_tension, continuity, density, forces, surface_tension, wall_pressure
-from warpsph.kernels.heat import conduction, phase
-from warpsph.kernels.neighbours import lists as neighbours
-from warpsph.kernels.solid import bonds, contact, elasticity
+from warpsph.core.term import MOMENTS, Term, acts_at
 
 
 class Solver:
-    """Advances the state; knows no file, no picture and no schedule.
+    """Advances the state; knows no file, no picture, no schedule, and no term by name.
 
-    A step moves the flow by ``dt``; every ``heat_every`` steps a step with heat conducts for all of them at once.
+    A step moves the flow by ``dt``; after some steps, a step with heat conducts for all of them at once. Stages ask the
+    terms of the model in their order.
 
     Args:
-        executor: launches.
-        model: what stays the same.
+        executor: where to run.
+        model: what stays the same, composed.
         state: what changes.
-        devices: boundary devices, in the order in which they act.
-        dt: time step [s].
-        heat_every: steps between two conduction steps.
-        lower, upper: box of the neighbour grid [m].
+        lower, upper: box (3,) of the neighbour grid [m].
         speed_limit: speed that no particle can have unless the simulation has diverged [m/s].
         skin: of the neighbour list, in spacings.
+
+    Attributes:
+        dt: time step [s].
+        interval: time between two steps with heat [s].
     """
 
     def __init__(
@@ -49,297 +39,113 @@ class Solver:
         executor: Executor,
         model: Model,
         state: State,
-        devices: Sequence[BoundaryDevice],
-        dt: float,
-        heat_every: int,
         lower: np.ndarray,
         upper: np.ndarray,
         speed_limit: float,
         skin: float = 0.4,
     ):
-        self.executor, self.model, self.state, self.devices = executor, model, state, list(devices)
-        self.dt, self.heat_every, self.speed_limit = dt, heat_every, speed_limit
-        self.time = wp.zeros(1, dtype=wp.float64, device=executor.device)
-        self.steps = wp.zeros(1, dtype=int, device=executor.device)
-        self.runaway = wp.zeros(1, dtype=int, device=executor.device)
-        starts_solid = bool(model.elasticity) and np.any(state.numpy("phase") == Phase.SOLID)
-        self.phase_changed = wp.array([int(starts_solid)], dtype=int, device=executor.device)
-        self.bond_events = wp.zeros(1, dtype=int, device=executor.device)
-        self.longest_bond_row = wp.zeros(1, dtype=int, device=executor.device)
-        has_contact = model.elasticity is not None and model.elasticity.contact
-        self.contact = contact_constants(model) if has_contact else None
+        self.executor, self.model, self.state, self.speed_limit = executor, model, state, speed_limit
+        state.hold("time", wp.zeros(1, dtype=wp.float64, device=state.device))
+        for name in ("steps", "runaway"):
+            state.hold(name, wp.zeros(1, dtype=int, device=state.device))
+        starts_solid = np.any(state.numpy("phase") == Phase.SOLID)
+        state.hold("phase_changed", wp.array([int(starts_solid)], dtype=int, device=state.device))
+        self._constants: dict[str, Any] = {
+            "dt": 0.0,
+            "interval": 0.0,
+            "gravity": wp.vec3(*model.gravity),
+            "speed_limit_squared": speed_limit**2,
+        }
+        shared = ChainMap(self._constants, state.arrays, state.values, state.lists, state.scratch)
+        self.launch = Launch(executor, state.count, shared)
+        terms: list[Term] = list(model.terms)
+        reach = max(model.support, *(term.reach(model) for term in terms))
         self.neighbours = Neighbours(
-            executor,
+            self.launch,
+            model,
             state,
-            max(model.support, self.contact.reach) if has_contact else model.support,
+            reach,
             skin * model.spacing,
             lower,
             upper,
-            model.dimension,
-            len(model.materials),
-            model.spacing,
+            on_sorted=lambda: self._at("follow_sorting"),
+            on_listed=lambda: self._at("follow_listing"),
         )
-        self.fluid = fluid_constants(model) if model.fluid else None
-        if model.surface_tension:
-            published = model.surface_tension.published
-            self.surface = colour_field_constants(model) if published else surface_constants(model)
-        self.elastic = elastic_constants(model) if model.elasticity else None
-        if model.conduction:
-            self.thermal_table = thermal_table(model, executor.device)
-            self.conduction_scale = normalisation("poly6", model.dimension, model.support) / model.lattice_conduction()
-        for device in self.devices:
-            device.bind(self)
+        self._constants["farthest_squared"] = self.neighbours.half_skin**2
+        for term in terms:
+            term.allocate(model, state)
+        launches = {term: self.launch.within(term.arrays, term.constants(model, state)) for term in terms}
+        self._acts = {
+            moment: [(term, launches[term]) for term in terms if acts_at(term, moment)]
+            for moment in (*MOMENTS, "initialise", "follow_sorting", "follow_listing")
+        }
+        self.terms = terms
+
+    @property
+    def dt(self) -> float:
+        return self._constants["dt"]
+
+    @property
+    def interval(self) -> float:
+        return self._constants["interval"]
+
+    def set_steps(self, dt: float, interval: float) -> None:
+        """Choose the time step and the interval between two steps with heat [s], for what is launched from now on."""
+        self._constants["dt"], self._constants["interval"] = dt, interval
 
     def prepare(self) -> None:
-        """Bring what follows from the initial state up to date: neighbours, temperature, density, bonds, stress."""
-        if self.model.conduction:
-            self._find_temperature()
+        """Bring what follows from the initial state up to date: neighbours, temperature, density, bonds, forces."""
+        dt, interval = self.dt, self.interval
+        self.set_steps(0.0, 0.0)
         self.neighbours.renew_if_outdated()
-        if self.model.fluid:
-            self._find_density(0.0)
-            self._extrapolate_pressure()
-        if self.model.elasticity:
-            self.executor.when(self.phase_changed, self._bond_solids)
-        if self.model.phase_change:
-            self._change_phase()
-        if self.model.elasticity:
-            self._find_stress()
+        for moment in (
+            "find_temperature",
+            "find_density",
+            "find_walls",
+            "initialise",
+            "change_phases",
+            "sum_forces",
+            "add_forces",
+        ):
+            self._at(moment)
+        self.set_steps(dt, interval)
 
     def step(self) -> None:
         """Advance the flow by one time step."""
-        section = self.executor.section
         self.neighbours.renew_if_outdated()
-        if self.model.fluid:
-            with section():
-                self._find_density(self.dt)
-                for device in self.devices:
-                    device.after_density(self.dt)
-            self._extrapolate_pressure()
-        with section():
-            motion.advance_clock(self.executor, self.dt, self.time, self.steps)
-            if self.model.surface_tension and not self.model.surface_tension.published:
-                self._find_surface_normal()
-            if self.model.fluid:
-                self._find_forces()
-            elif self.model.elasticity:
-                motion.fall(self.executor, wp.vec3(*self.model.gravity), self.state.acceleration)
-            if self.model.elasticity:
-                self._find_stress()
-        with section():
-            if self.model.surface_tension:
-                self._add_surface_tension()
-            if self.model.elasticity:
-                self._add_elastic_forces()
-                if self.contact:
-                    self._add_contact_forces()
-            if self.model.fluid or self.model.elasticity:
-                self._kick()
-        with section():
-            self._drift()
-            for device in self.devices:
-                device.after_move(self.dt)
-            self._watch()
+        self._together("find_density", "prescribe")
+        self._together("find_walls")
+        self._together("sum_forces")
+        self._together("add_forces", "kick")
+        self._together("move", "watch")
 
     def step_with_heat(self) -> None:
         """Advance the flow by one time step, and heat by as many as have passed since the last conduction."""
         self.step()
         self.neighbours.renew_if_outdated()
-        interval = self.heat_every * self.dt
-        self._conduct(interval)
-        for device in self.devices:
-            device.after_heat(interval)
-        self._find_temperature()
-        if self.model.phase_change:
-            self._change_phase()
+        self._at("sum_heat")
+        self._at("add_heat")
+        self._at("after_heat")
+        self._at("find_temperature")
+        self._at("change_phases")
 
-    def _find_density(self, interval: float) -> None:
-        s = self.state
-        if self.model.fluid.continuity:
-            continuity.advance_density(
-                self.executor,
-                self.fluid,
-                interval,
-                self.neighbours.list,
-                s.position,
-                s.velocity,
-                s.fluid_mass,
-                s.role,
-                s.density,
-                s.density_carry,
-                s.pressure,
-                s.volume,
-            )
-            return
-        density.sum_density(
-            self.executor,
-            self.fluid,
-            self.neighbours.list,
-            s.position,
-            s.fluid_mass,
-            s.role,
-            s.density,
-            s.pressure,
-            s.volume,
-        )
+    def check(self) -> None:
+        """Look, on the host, whether a list was too short or a term finds something wrong.
 
-    def _extrapolate_pressure(self) -> None:
-        s = self.state
-        wall_pressure.extrapolate_pressure(
-            self.executor, self.fluid, self.neighbours.list, s.position, s.density, s.role, s.pressure
-        )
+        Raises:
+            DivergenceError: it is so.
+        """
+        self.neighbours.check()
+        for term in self.terms:
+            term.check(self.state)
 
-    def _find_forces(self) -> None:
-        s = self.state
-        forces.sum_forces(
-            self.executor,
-            self.fluid,
-            self.neighbours.list,
-            s.position,
-            s.velocity,
-            s.density,
-            s.pressure,
-            s.volume,
-            s.viscosity,
-            s.role,
-            s.acceleration,
-        )
+    def _together(self, *moments: str) -> None:
+        """Let terms act at moments at which nobody waits for anybody else."""
+        if any(self._acts[moment] for moment in moments):
+            with self.executor.section():
+                for moment in moments:
+                    self._at(moment)
 
-    def _find_surface_normal(self) -> None:
-        s = self.state
-        surface_tension.find_surface_normal(
-            self.executor,
-            self.surface,
-            self.neighbours.list,
-            s.position,
-            s.fluid_mass,
-            s.role,
-            s.phase,
-            s.surface_normal,
-        )
-
-    def _add_surface_tension(self) -> None:
-        s = self.state
-        if self.model.surface_tension.published:
-            add, given = colour_field_tension.add_colour_field_tension, (s.density, s.volume, s.role, s.phase)
-        else:
-            add, given = surface_tension.add_surface_tension, (s.fluid_mass, s.surface_normal)
-        add(self.executor, self.surface, self.neighbours.list, s.position, *given, s.acceleration)
-
-    def _find_stress(self) -> None:
-        s = self.state
-        elasticity.find_stress(
-            self.executor, self.elastic, s.bonds, s.position, s.body_volume, s.correction, s.deformation, s.stress
-        )
-
-    def _add_elastic_forces(self) -> None:
-        s = self.state
-        elasticity.add_elastic_forces(
-            self.executor,
-            self.elastic,
-            s.bonds,
-            s.position,
-            s.role,
-            s.mass,
-            s.body_volume,
-            s.deformation,
-            s.stress,
-            s.acceleration,
-        )
-
-    def _add_contact_forces(self) -> None:
-        s = self.state
-        contact.add_contact_forces(
-            self.executor,
-            self.contact,
-            self.neighbours.list,
-            s.position,
-            s.role,
-            s.body,
-            s.mass,
-            s.acceleration,
-        )
-
-    def _kick(self) -> None:
-        motion.kick(self.executor, self.dt, self.state.role, self.state.acceleration, self.state.velocity)
-
-    def _drift(self) -> None:
-        s = self.state
-        motion.drift(self.executor, self.dt, s.role, s.velocity, s.position, s.position_carry)
-
-    def _watch(self) -> None:
-        s, n = self.state, self.neighbours
-        motion.watch(
-            self.executor,
-            s.role,
-            s.position,
-            s.velocity,
-            n.reference,
-            n.half_skin,
-            self.speed_limit,
-            n.outdated,
-            self.runaway,
-        )
-
-    def _conduct(self, interval: float) -> None:
-        s = self.state
-        conduction.sum_heat(
-            self.executor,
-            self.thermal_table,
-            self.neighbours.list,
-            self.model.support,
-            self.conduction_scale,
-            s.position,
-            s.role,
-            s.temperature,
-            s.conductivity,
-            s.thermal_volume,
-            s.material,
-            s.heat_rate,
-        )
-        conduction.add_heat(
-            self.executor, interval, s.role, s.heat_rate, s.mass, s.held, s.enthalpy, s.enthalpy_carry, s.heat_held
-        )
-
-    def _find_temperature(self) -> None:
-        s = self.state
-        conduction.update_temperature(
-            self.executor, self.thermal_table, s.material, s.enthalpy, s.temperature, s.solid_fraction, s.conductivity
-        )
-
-    def _change_phase(self) -> None:
-        s, rule = self.state, self.model.phase_change
-        phase.switch_phase(
-            self.executor,
-            rule.freeze_above,
-            rule.melt_below,
-            s.role,
-            s.solid_fraction,
-            s.phase,
-            s.froze,
-            self.phase_changed,
-        )
-        if self.model.elasticity:
-            self.executor.when(self.phase_changed, self._renew_bonds)
-
-    def _renew_bonds(self) -> None:
-        s = self.state
-        if self.model.fluid:
-            elasticity.settle_volume(self.executor, s.froze, s.mass, s.density, s.body_volume)
-        self._bond_solids()
-
-    def _bond_solids(self) -> None:
-        s, n = self.state, self.neighbours
-        bonds.update_bonds(
-            self.executor,
-            self.model.support,
-            normalisation("sine", self.model.dimension, self.model.support),
-            n.list,
-            s.position,
-            s.phase,
-            s.froze,
-            s.bonds,
-            self.longest_bond_row,
-        )
-        elasticity.invert_moments(self.executor, self.elastic, s.bonds, s.body_volume, s.correction)
-        bonds.mark_bonded_neighbours(self.executor, n.list, s.bonds)
-        neighbours.clear_flag(self.executor, self.phase_changed, self.bond_events)
+    def _at(self, moment: str) -> None:
+        for term, launch in self._acts[moment]:
+            getattr(term, moment)(launch)

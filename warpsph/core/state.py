@@ -1,109 +1,103 @@
-"""What changes in a run: one array per quantity, one entry per particle."""
+"""What changes in a run, on the device: fields, values and lists, all of them known by name."""
+
+from typing import Any
 
 import numpy as np
 import warp as wp
 
-from warpsph.core.labels import Phase, Role
-from warpsph.core.model import Model
-from warpsph.core.particles import Particles
-from warpsph.kernels.solid.bonds import BondList
+from warpsph.core.field import Field, Value
+from warpsph.errors import InputError
 
-WRITTEN_EVERY_STEP = {"acceleration", "surface_normal", "deformation", "stress", "heat_rate"}
+Snapshot = dict[str, np.ndarray]
+
+
+def members_of(structure: Any) -> list[str]:
+    """Names of the members of an instance of a Warp structure."""
+    return list(structure._cls.vars)
 
 
 class State:
-    """Particles on the device, as a structure of arrays.
+    """Every device array of a run, as attributes by name: ``state.position``, ``state.time``, ``state.neighbours``.
 
-    Always: ``id`` (stable for the whole run), ``role``, ``material``, ``phase``, ``position`` [m] with
-    ``position_carry``, ``velocity`` [m/s], ``mass`` [kg] (per metre of depth in 2D). With a fluid or elasticity:
-    ``acceleration`` [m/s^2]. With a fluid: ``density`` [kg/m^3], ``pressure`` [Pa], ``volume`` [m^3 or m^2],
-    ``viscosity`` [Pa s], and ``fluid_mass`` [kg], the mass with which a particle enters the sums of the fluid (walls
-    count like the fluid, spray does not count). With conduction: ``enthalpy`` [J/kg] with ``enthalpy_carry``,
-    ``temperature`` [K], ``solid_fraction``, ``conductivity`` [W/(m K)], ``thermal_volume``, ``heat_rate`` [W],
-    ``held``, ``heat_held`` [J]. With phase change or elasticity: ``froze``. With surface tension: ``surface_normal``.
-    With elasticity: ``bonds``, ``body_volume`` [m^3 or m^2], ``correction``, ``deformation``, ``stress``, and with
-    contact ``body``. Devices may add arrays by :meth:`add`; arrays move with their particles when these are sorted.
+    Args:
+        count: number of particles n.
+        device: where the arrays live.
+
+    Attributes:
+        fields: the declarations of the fields, by name.
+        arrays: their arrays (n,), by name, those with the carries of compensated fields among them.
+        values: arrays that are not one entry a particle, or belong to a list, by name; those of a term as "term.name".
+        lists: Warp structures whose arrays are among the values, or the scratch, by name.
+        scratch: arrays that are written anew before they are read, by name; they need not be kept.
     """
 
-    def __init__(self, particles: Particles, model: Model, device: wp.Device):
-        self.device = device
-        self.count = n = len(particles)
-        self.per_particle: dict[str, wp.array] = {}
-        self.bonds: BondList | None = None
-        role, material = particles.role, particles.material
-        densities = np.array([m.density for m in model.materials])
+    def __init__(self, count: int, device: wp.Device):
+        self.count, self.device = count, device
+        self.fields: dict[str, Field] = {}
+        self.arrays: dict[str, wp.array] = {}
+        self.values: dict[str, wp.array] = {}
+        self.lists: dict[str, Any] = {}
+        self.scratch: dict[str, wp.array] = {}
 
-        self.add("id", np.arange(n), int)
-        self.add("role", role, int)
-        self.add("material", material, int)
-        self.add("position", particles.position, wp.vec3)
-        self.add("position_carry", np.zeros((n, 3)), wp.vec3)
-        self.add("velocity", particles.velocity, wp.vec3)
-        volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
-        mass = densities[material] * volume
-        self.add("phase", particles.phase, int)
-        if model.fluid is not None:
-            lattice_mass = model.fluid.reference_density * model.cell_volume / model.lattice_density()
-            fluid_mass = np.where(particles.flows, lattice_mass, 0.0)
-            moves = np.isin(role, (Role.FREE, Role.INFLOW, Role.OUTFLOW, Role.RESERVOIR))
-            mass = np.where(moves & particles.flows, fluid_mass, mass)
-            self.add("fluid_mass", fluid_mass, float)
-            self.add("density", np.full(n, model.fluid.reference_density), float)
-            if model.fluid.continuity:
-                self.add("density_carry", np.zeros(n), float)
-            self.add("pressure", np.zeros(n), float)
-            self.add("volume", fluid_mass / model.fluid.reference_density, float)
-            self.add("viscosity", np.array([m.viscosity for m in model.materials])[material], float)
-        if model.fluid is not None or model.elasticity is not None:
-            self.add("acceleration", np.zeros((n, 3)), wp.vec3)
-        self.add("mass", mass, float)
-        if model.conduction is not None:
-            enthalpy = np.zeros(n)
-            for index, substance in enumerate(model.materials):
-                mine = material == index
-                enthalpy[mine] = substance.enthalpy(particles.temperature[mine])
-            self.add("enthalpy", enthalpy, float)
-            self.add("enthalpy_carry", np.zeros(n), float)
-            self.add("temperature", particles.temperature, float)
-            self.add("solid_fraction", np.zeros(n), float)
-            self.add("conductivity", np.zeros(n), float)
-            self.add("thermal_volume", volume, float)
-            self.add("heat_rate", np.zeros(n), float)
-            self.add("held", particles.held, int)
-            self.add("heat_held", np.zeros(n), wp.float64)
-        if model.phase_change is not None or model.elasticity is not None:
-            self.add("froze", particles.phase == Phase.SOLID, int)
-        if model.surface_tension is not None:
-            self.add("surface_normal", np.zeros((n, 3)), wp.vec3)
-        if model.elasticity is not None:
-            self.bonds = _empty_bonds(n, model, device)
-            if model.elasticity.contact:
-                self.add("body", particles.body, int)
-            self.add("body_volume", mass / densities[material], float)
-            for name in ("correction", "deformation", "stress"):
-                self.add(name, np.zeros((n, 3, 3)), wp.mat33)
+    def __getattr__(self, name: str) -> Any:
+        for known in ("arrays", "values", "lists", "scratch"):
+            if name in self.__dict__.get(known, {}):
+                return self.__dict__[known][name]
+        raise AttributeError(f"the state holds nothing that is called '{name}'")
 
-    def add(self, name: str, values: np.ndarray, dtype: type) -> None:
-        """Add a per-particle array under ``name`` with the given start values (n, ...)."""
-        array = wp.array(np.ascontiguousarray(values), dtype=dtype, device=self.device)
-        self.per_particle[name] = array
-        setattr(self, name, array)
+    def add(self, field: Field, values: np.ndarray) -> None:
+        """Add the array of a field with its start ``values`` (n, ...).
 
-    def arrays_to_keep(self) -> list[wp.array]:
-        """The arrays that must move with their particles; the others are written anew before they are read."""
-        return [array for name, array in self.per_particle.items() if name not in WRITTEN_EVERY_STEP]
+        Raises:
+            ValueError: something of that name is there already.
+        """
+        self._refuse_taken(field.name)
+        self.fields[field.name] = field
+        self.arrays[field.name] = field.array(values, self.device)
+        if field.compensated:
+            self._refuse_taken(field.carry_name)
+            self.arrays[field.carry_name] = wp.zeros_like(self.arrays[field.name])
+
+    def hold(self, name: str, array: wp.array, scratch: bool = False) -> wp.array:
+        """Keep an array that is not a field, under a name of its own."""
+        self._refuse_taken(name)
+        (self.scratch if scratch else self.values)[name] = array
+        return array
+
+    def hold_list(self, name: str, structure: Any, scratch: bool = False) -> None:
+        """Keep a Warp structure and all its arrays."""
+        self._refuse_taken(name)
+        for member in members_of(structure):
+            if isinstance(array := getattr(structure, member), wp.array):
+                self.hold(f"{name}.{member}", array, scratch)
+        self.lists[name] = structure
+
+    def hold_values(self, owner: str, term: Any, values: list[Value]) -> None:
+        """Make the arrays of the values that a term declares, and give them to it.
+
+        Raises:
+            InputError: the term has been given arrays before.
+        """
+        if term.arrays:
+            raise InputError(f"this {type(term).__name__} belongs to another simulation already; make a new one")
+        for value in values:
+            term.arrays[value.name] = self.hold(f"{owner}.{value.name}", value.array(term, self.device), value.scratch)
+
+    @property
+    def kept(self) -> dict[str, wp.array]:
+        """The arrays of fields that belong to their particles from step to step, and their carries."""
+        of_kept = {name for field in self.fields.values() if field.kept for name in (field.name, field.carry_name)}
+        return {name: array for name, array in self.arrays.items() if name in of_kept}
 
     def numpy(self, name: str) -> np.ndarray:
         """A copy of one array on the host."""
-        return self.per_particle[name].numpy().copy()
+        return getattr(self, name).numpy().copy()
 
+    def snapshot(self) -> Snapshot:
+        """A copy of all kept fields on the host, in the order of the ids."""
+        order = np.argsort(self.numpy("id"))
+        return {name: self.numpy(name)[order] for name, field in self.fields.items() if field.kept}
 
-def _empty_bonds(n: int, model: Model, device: wp.Device) -> BondList:
-    bonds = BondList()
-    bonds.capacity = int(1.6 * len(model.lattice_offsets())) + 4
-    bonds.count = wp.zeros(n, dtype=int, device=device)
-    bonds.partner = wp.zeros(n * bonds.capacity, dtype=int, device=device)
-    bonds.separation = wp.zeros(n * bonds.capacity, dtype=wp.vec3, device=device)
-    bonds.slope = wp.zeros(n * bonds.capacity, dtype=float, device=device)
-    bonds.value = wp.zeros(n * bonds.capacity, dtype=float, device=device)
-    return bonds
+    def _refuse_taken(self, name: str) -> None:
+        if not name or hasattr(self, name):
+            raise ValueError(f"the name '{name}' is taken: an array, a list or an attribute of the state is called so")

@@ -1,47 +1,135 @@
-"""What boundary devices have in common."""
+"""What a term is: a kind of physics, or a part of a machine, that acts at the moments of a step."""
 
-from typing import TYPE_CHECKING
+from typing import Any, ClassVar
 
 import numpy as np
 import warp as wp
 
-from warpsph.kernels.machine.exchange import Exchange
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.particles import Particles
+from warpsph.core.state import State
 
-if TYPE_CHECKING:
-    from warpsph.core.solver import Solver
-
-
-class BoundaryDevice:
-    """Acts on the particles at three moments of a step; a subclass fills in those that it needs."""
-
-    def bind(self, solver: "Solver") -> None:
-        """Take hold of the solver's state and allocate what the device needs, once, before the first step."""
-        self.solver, self.state, self.launch = solver, solver.state, solver.executor
-
-    def after_density(self, dt: float) -> None:
-        """Act on single particles between the pressure and the forces of a step of ``dt`` [s]."""
-
-    def after_move(self, dt: float) -> None:
-        """Act on single particles at the end of a step of ``dt`` [s]."""
-
-    def after_heat(self, interval: float) -> None:
-        """Act after heat has been conducted for ``interval`` [s], before phases change."""
+MOMENTS = (
+    "find_density", "prescribe", "find_walls", "sum_forces", "add_forces", "kick", "move", "watch",
+    "sum_heat", "add_heat", "after_heat", "find_temperature", "change_phases",
+)  # fmt: skip
 
 
-def exchange_of(solver: "Solver") -> Exchange:
-    """The arrays through which devices bring particles in and take them out; adds the ledger to the state."""
-    state = solver.state
-    if "entries" not in state.per_particle:
-        for name in ("entries", "exits"):
-            state.add(name, np.zeros(state.count), int)
-        for name in ("heat_entered", "heat_left"):
-            state.add(name, np.zeros(state.count), wp.float64)
-    exchange = Exchange()
-    for name in (
-        "role", "phase", "position", "position_carry", "velocity", "enthalpy", "enthalpy_carry", "mass",
-        "fluid_mass", "volume", "entries", "exits", "heat_entered", "heat_left",
-    ):  # fmt: skip
-        setattr(exchange, name, state.per_particle[name])
-    exchange.reference = solver.neighbours.reference
-    exchange.phase_changed = solver.phase_changed
-    return exchange
+class Term:
+    """One kind of physics or one part of a machine.
+
+    A subclass is a dataclass whose fields are its parameters. It declares the arrays that it needs as class attributes,
+    :class:`~warpsph.core.field.Field` and :class:`~warpsph.core.field.Value`, and overrides the moments of a step at
+    which it acts. A moment that no term of a case acts at costs nothing.
+
+    Class attributes:
+        provides: what others may need of it; two terms that provide the same exclude each other.
+        needs: what others of the case must provide.
+        follows: what it acts after, where that is there.
+    """
+
+    provides: ClassVar[tuple[str, ...]] = ()
+    needs: ClassVar[tuple[str, ...]] = ()
+    follows: ClassVar[tuple[str, ...]] = ()
+
+    @property
+    def arrays(self) -> dict[str, wp.array]:
+        """The device arrays of its values, by name, once it belongs to a simulation."""
+        return self.__dict__.setdefault("_arrays", {})
+
+    def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        """Start values (n, ...) of fields that are more than one number or what the particles were given.
+
+        ``fields`` holds those of all fields so far; material indices under "material".
+        """
+        return {}
+
+    def allocate(self, model: Model, state: State) -> None:
+        """Make lists that are not one entry a particle, by ``state.hold_list``."""
+
+    def constants(self, model: Model, state: State) -> dict[str, Any]:
+        """Constants and lists for its kernels, by the names of their arguments; called once, before the first step."""
+        return {}
+
+    def reach(self, model: Model) -> float:
+        """Distance [m] up to which it must know the neighbours of a particle."""
+        return 0.0
+
+    def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
+        """Longest stable time steps [s], each with its reason; ``moving`` are the indices of materials that move."""
+        return {}
+
+    def longest_intervals(self, model: Model) -> dict[str, float]:
+        """Longest stable intervals [s] between two steps with heat, each with its reason."""
+        return {}
+
+    def speed_limit(self, model: Model) -> float:
+        """Speed [m/s] that no particle can have unless the simulation has diverged."""
+        return np.inf
+
+    def initialise(self, launch: Launch) -> None:
+        """Bring up to date what follows from the initial state, before phases change for the first time."""
+
+    def find_density(self, launch: Launch) -> None:
+        """Find density, pressure and volume of the fluid. May read other particles' positions, masses and velocities.
+
+        Here ``dt`` is zero before the first step. What reads velocities ends with ``launch.meet()``.
+        """
+
+    def prescribe(self, launch: Launch) -> None:
+        """Set pressure and velocity of the particles that a part leads; single particles only."""
+
+    def find_walls(self, launch: Launch) -> None:
+        """Find what walls show to the fluid, from density and pressure."""
+
+    def sum_forces(self, launch: Launch) -> None:
+        """Add to the acceleration, and find for each particle what other terms' forces are made of."""
+
+    def add_forces(self, launch: Launch) -> None:
+        """Add to the acceleration what is made of the sums that ``sum_forces`` has found for other particles.
+
+        May not read other particles' velocities: ``kick`` changes them at the same time.
+        """
+
+    def kick(self, launch: Launch) -> None:
+        """Advance the velocity by the step ``dt``; single particles only."""
+
+    def move(self, launch: Launch) -> None:
+        """Advance the position by the step ``dt``, or correct it; single particles only."""
+
+    def watch(self, launch: Launch) -> None:
+        """Look at the particles at the end of a step."""
+
+    def sum_heat(self, launch: Launch) -> None:
+        """Find, or add to, the heat that flows into each particle in unit time."""
+
+    def add_heat(self, launch: Launch) -> None:
+        """Add the heat of ``interval``."""
+
+    def after_heat(self, launch: Launch) -> None:
+        """Act after heat has been conducted for ``interval``: measure, bring particles in and take them out."""
+
+    def find_temperature(self, launch: Launch) -> None:
+        """Find what follows from the enthalpy."""
+
+    def change_phases(self, launch: Launch) -> None:
+        """Change phases, and what hangs on them."""
+
+    def follow_sorting(self, launch: Launch) -> None:
+        """Follow the particles to their new places: ``order`` and ``place`` say where they came from and went."""
+
+    def follow_listing(self, launch: Launch) -> None:
+        """Act on a neighbour list that has just been made."""
+
+    def check(self, state: State) -> None:
+        """Look, on the host, whether something has gone wrong.
+
+        Raises:
+            DivergenceError: it has.
+        """
+
+
+def acts_at(term: Term, moment: str) -> bool:
+    """Whether a term does something at a moment."""
+    return getattr(type(term), moment) is not getattr(Term, moment)

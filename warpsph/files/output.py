@@ -9,8 +9,12 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from warpsph.core.quantity import Quantity, undeclared
 from warpsph.errors import InputError, WarpsphError
+from warpsph.files.described import attributes_of
 from warpsph.files.vtkhdf import STEPS_PER_CHUNK, append_step, commit, create_layout, extendable, put
+
+TIME = Quantity("time", "s")
 
 
 class ResultWriter:
@@ -25,13 +29,23 @@ class ResultWriter:
         parameters: the resolved case.
         provenance: what made the file; its ``status`` is "unfinished" until :meth:`finish`.
         overwrite: whether an existing file is replaced.
+        quantities: what the fields of the frames are called and in which unit; pictures read it.
 
     Raises:
         InputError: the file exists and ``overwrite`` is false, or it cannot be made; an older file stays as it was.
     """
 
-    def __init__(self, path: str | Path, parameters: dict, provenance: dict, overwrite: bool = False) -> None:
+    def __init__(
+        self,
+        path: str | Path,
+        parameters: dict,
+        provenance: dict,
+        overwrite: bool = False,
+        quantities: dict[str, Quantity] | None = None,
+    ) -> None:
         self.path = Path(path)
+        places = enumerate((quantities or {}).items())
+        self._attributes = {name: attributes_of(quantity, place) for place, (name, quantity) in places}
         self._provenance = {"status": "unfinished"} | provenance
         _check_target(self.path, overwrite)
         unfinished = self.path.with_name(f".{self.path.name}.{os.getpid()}")
@@ -42,6 +56,7 @@ class ResultWriter:
                 group["parameters"] = _as_json(parameters)
                 group["provenance"] = _as_json(self._provenance)
                 extendable(group, "diagnostics/time", (), "f8", STEPS_PER_CHUNK)
+                group["diagnostics/time"].attrs.update(attributes_of(TIME))
                 extendable(group, "events/time", (), "f8", STEPS_PER_CHUNK)
                 extendable(group, "events/text", (), h5py.string_dtype(), STEPS_PER_CHUNK)
                 for series in (group["diagnostics"], group["events"]):
@@ -62,25 +77,30 @@ class ResultWriter:
             fields: (n,) or (n, 3), float32 or int32, with the same names in every frame.
         """
         with self._writing():
-            append_step(self._file, time, np.asarray(points, "f4"), fields)
+            append_step(self._file, time, np.asarray(points, "f4"), fields, self._attributes)
 
-    def write_diagnostics(self, time: float, values: dict[str, float | np.ndarray]) -> None:
+    def write_diagnostics(
+        self, time: float, values: dict[str, float | np.ndarray], quantities: dict[str, Quantity] | None = None
+    ) -> None:
         """Append a row to the time series.
 
         Args:
             time: physical time [s].
-            values: numbers, or 1-D arrays of a fixed length; with the same names in every row.
+            values: numbers, or arrays of a fixed shape. What is missing in a row is not a number there.
+            quantities: what they are called and in which unit.
         """
         with self._writing():
             group = self._file["warpsph/diagnostics"]
             row = int(group.attrs["Rows"])
-            if len(group) == 1:
-                for name in values:
-                    extendable(group, name, np.shape(values[name]), "f8", STEPS_PER_CHUNK)
-            if set(group) != {"time", *values}:
-                raise ValueError(f"diagnostics need the same names in every row: {', '.join(group)}")
             for name, value in values.items():
-                put(group[name], row, [value])
+                if name not in group:
+                    extendable(group, name, np.shape(value), "f8", STEPS_PER_CHUNK)
+                    quantity = (quantities or {}).get(name, undeclared(name))
+                    group[name].attrs.update(attributes_of(quantity, len(group)))
+                    put(group[name], 0, np.full((row, *np.shape(value)), np.nan))
+            for name, series in group.items():
+                if name != "time":
+                    put(series, row, [values.get(name, np.full(series.shape[1:], np.nan))])
             put(group["time"], row, [time])
             commit(group, "Rows", row + 1)
 

@@ -8,7 +8,9 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from warpsph.core.quantity import Quantity
 from warpsph.errors import InputError
+from warpsph.files.described import place_of, read_quantity
 from warpsph.files.vtkhdf import read_step, read_times
 
 
@@ -21,6 +23,8 @@ class ResultFile:
         parameters: the resolved case.
         provenance: what made the file.
         diagnostics: time series by name (T,) or (T, m) float64, with ``time`` [s].
+        quantities: what diagnostics are called and in which unit, in the order of their declaration.
+        field_quantities: the same for the fields of the frames.
         events: (time [s], text) in the order in which they happened.
 
     Raises:
@@ -34,6 +38,8 @@ class ResultFile:
             self.parameters: dict = _read_json(file["warpsph/parameters"])
             self.provenance: dict = _read_json(file["warpsph/provenance"])
             self.diagnostics: dict[str, np.ndarray] = _read_diagnostics(file["warpsph/diagnostics"])
+            self.quantities = _read_quantities(file["warpsph/diagnostics"])
+            self.field_quantities = _read_quantities(file["VTKHDF/PointData"])
             self.events = _read_events(file["warpsph/events"])
 
     def frame(self, k: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
@@ -78,7 +84,12 @@ def _read_json(dataset: h5py.Dataset) -> dict:
 def _read_diagnostics(group: h5py.Group) -> dict[str, np.ndarray]:
     """All series, as far as they were written whole."""
     rows = int(group.attrs["Rows"])
-    return {name: group[name][:rows].astype("f8") for name in {"time", *group}}
+    return {name: group[name][:rows].astype("f8") for name in dict.fromkeys(("time", *group))}
+
+
+def _read_quantities(group: h5py.Group) -> dict[str, Quantity]:
+    """What the datasets of a group are, in the order of their declaration."""
+    return {name: read_quantity(group[name]) for name in sorted(group, key=lambda name: place_of(group[name]))}
 
 
 def _read_events(group: h5py.Group) -> list[tuple[float, str]]:

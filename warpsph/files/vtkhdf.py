@@ -5,6 +5,8 @@ four topologies must be present, and the offsets of a step count from 0 and are 
 place of a step's offsets by counting cells, so a step without particles gets one cell without points.
 """
 
+from collections.abc import Mapping
+
 import h5py
 import numpy as np
 
@@ -13,6 +15,8 @@ TOPOLOGIES = ("Vertices", "Lines", "Polygons", "Strips")
 PARTICLES_PER_CHUNK = 16384
 STEPS_PER_CHUNK = 256
 TIMES_PER_CHUNK = 4096
+
+Attributes = Mapping[str, Mapping[str, str | int]]
 
 
 def extendable(group: h5py.Group, name: str, tail: tuple[int, ...], dtype, rows_per_chunk: int) -> None:
@@ -60,12 +64,15 @@ def create_layout(file: h5py.File) -> None:
     steps.create_group("PointDataOffsets")
 
 
-def append_step(file: h5py.File, time: float, points: np.ndarray, fields: dict[str, np.ndarray]) -> None:
+def append_step(
+    file: h5py.File, time: float, points: np.ndarray, fields: dict[str, np.ndarray], attributes: Attributes
+) -> None:
     """Add one step: the data and the counts; when they are on the disk, ``NSteps``; and at the very end its time.
 
     Args:
         points: (n, 3) float32 [m].
         fields: (n,) or (n, 3) float32 or int32; the first step decides on the names.
+        attributes: of the datasets of the fields, by name, given to them at the first step.
     """
     root, steps = file[ROOT], file[ROOT]["Steps"]
     step, count = int(steps.attrs["NSteps"]), len(points)
@@ -73,6 +80,7 @@ def append_step(file: h5py.File, time: float, points: np.ndarray, fields: dict[s
         first = first_cell = 0
         for name, values in fields.items():
             extendable(root["PointData"], name, values.shape[1:], values.dtype, PARTICLES_PER_CHUNK)
+            root["PointData"][name].attrs.update(attributes.get(name, {}))
             extendable(steps["PointDataOffsets"], name, (), "i8", STEPS_PER_CHUNK)
     else:
         first = int(steps["PointOffsets"][step - 1] + root["NumberOfPoints"][step - 1])

@@ -1,10 +1,11 @@
-"""Boundary devices: small objects that act on the state during a step, on the device."""
+"""Parts of machines: small objects that act on the state at their moments of a step, on the device."""
 
 from warpsph.machine.inlet import Inlet
 from warpsph.machine.level import LevelGauge
 from warpsph.machine.mould import OscillatingMould
 from warpsph.machine.outflow import Outflow
+from warpsph.machine.settling import Settling
 from warpsph.machine.spray import Spray, SprayZone
 from warpsph.machine.symmetry import SymmetryPlane
 
-__all__ = ["Inlet", "LevelGauge", "OscillatingMould", "Outflow", "Spray", "SprayZone", "SymmetryPlane"]
+__all__ = ["Inlet", "LevelGauge", "OscillatingMould", "Outflow", "Settling", "Spray", "SprayZone", "SymmetryPlane"]

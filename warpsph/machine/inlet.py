@@ -1,16 +1,22 @@
 """The inlet: a submerged nozzle fed from the reservoir."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import warp as wp
 
-from warpsph.core.term import BoundaryDevice, exchange_of
-from warpsph.kernels.machine.inlet import Nozzle, pour
+from warpsph.core.field import Value
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.state import State
+from warpsph.kernels.machine.inlet import InletConstants, lead, pour
+from warpsph.machine.exchange import ExchangePart
 from warpsph.machine.level import LevelGauge
 
 
-class Inlet(BoundaryDevice):
+@dataclass(frozen=True, eq=False)
+class Inlet(ExchangePart):
     """Pours melt through a nozzle at the rate that the gauge asks for (Vijaykumar 2012, section 6.2).
 
     Args:
@@ -19,43 +25,32 @@ class Inlet(BoundaryDevice):
         direction: unit vector along the nozzle.
         length: distance from the row to the mouth, beyond which the melt is free [m].
         temperature: of the melt [K].
-        material: index of the melt.
+        material: name of the melt.
+
+    Attributes:
+        missing: (1,) on the device: particles that the reservoir could not give.
     """
 
-    def __init__(
-        self,
-        gauge: LevelGauge,
-        row: np.ndarray,
-        direction: Sequence[float],
-        length: float,
-        temperature: float,
-        material: int = 0,
-    ):
-        self.gauge, self.row, self.direction, self.length = gauge, row, np.asarray(direction, float), length
-        self.temperature, self.material = temperature, material
+    gauge: LevelGauge
+    row: np.ndarray
+    direction: Sequence[float]
+    length: float
+    temperature: float
+    material: str | None = None
 
-    def bind(self, solver) -> None:
-        super().bind(solver)
-        device = solver.executor.device
-        self.exchange = exchange_of(solver)
-        nozzle = self.nozzle = Nozzle()
-        nozzle.direction, nozzle.spacing = wp.vec3(*self.direction), solver.model.spacing
-        nozzle.mouth = float(self.row[0] @ self.direction) + self.length
-        nozzle.enthalpy = float(solver.model.materials[self.material].enthalpy(self.temperature))
-        nozzle.material = self.material
-        self._row = wp.array(self.row, dtype=wp.vec3, device=device)
-        self._travel = wp.zeros(1, dtype=float, device=device)
-        self.missing = wp.zeros(1, dtype=int, device=device)
+    travel = Value(float, "m", "way of the last row from the start of the nozzle")
+    missing = Value(int, "", "particles that the reservoir could not give")
 
-    def after_heat(self, interval: float) -> None:
-        pour(
-            self.launch,
-            interval,
-            self.nozzle,
-            self._row,
-            self.gauge.speeds,
-            self.solver.neighbours.reservoir_start,
-            self._travel,
-            self.missing,
-            self.exchange,
-        )
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        constants = InletConstants()
+        constants.direction, constants.spacing = wp.vec3(*self.direction), model.spacing
+        constants.mouth = float(self.row[0] @ np.asarray(self.direction, float)) + self.length
+        constants.material = model.index_of(self.material)
+        constants.enthalpy = float(model.materials[constants.material].enthalpy(self.temperature))
+        row: wp.array = wp.array(self.row, dtype=wp.vec3, device=state.device)
+        return super().constants(model, state) | {"inlet": constants, "row": row}
+
+    def after_heat(self, launch: Launch) -> None:
+        launch(lead, speeds=self.gauge.speeds)
+        launch.whole(pour, speeds=self.gauge.speeds)
+        self.start_anew(launch)

@@ -1,15 +1,22 @@
 """The level gauge, which sets the casting and the pouring speed."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import warp as wp
 
-from warpsph.core.term import BoundaryDevice
-from warpsph.kernels.machine.gauge import PARTS, Flow, measure_level
+from warpsph.core.field import Value
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.state import State
+from warpsph.core.term import Term
+from warpsph.kernels.machine.gauge import PARTS, GaugeConstants, control, weigh
+from warpsph.terms.fluid import Fluid
 
 
-class LevelGauge(BoundaryDevice):
+@dataclass(frozen=True, eq=False)
+class LevelGauge(Term):
     """Weighs a column of melt and derives the speeds from its height.
 
     The strand leaves with v = k p (Vijaykumar 2012, equation 6.2), where k is such that the target level gives the
@@ -27,39 +34,43 @@ class LevelGauge(BoundaryDevice):
         speeds: (3,) on the device: level [m], casting speed [m/s], pouring speed [m/s].
     """
 
-    def __init__(
-        self,
-        low: Sequence[float],
-        high: Sequence[float],
-        target_level: float,
-        casting_speed: float,
-        area_ratio: float,
-        gain: float = 40.0,
-        response: float = 0.1,
-    ):
-        self.low, self.high = np.asarray(low, float), np.asarray(high, float)
-        self.target_level, self.casting_speed, self.area_ratio = target_level, casting_speed, area_ratio
-        self.gain, self.response = gain, response
+    low: Sequence[float]
+    high: Sequence[float]
+    target_level: float
+    casting_speed: float
+    area_ratio: float
+    gain: float = 40.0
+    response: float = 0.1
 
-    def bind(self, solver) -> None:
-        super().bind(solver)
-        model = solver.model
-        weight = model.fluid.reference_density * float(np.linalg.norm(model.gravity))
-        column = self.high - self.low
+    needs = ("fluid", "conduction")
+
+    speeds = Value(
+        float,
+        "",
+        "level [m], casting speed and pouring speed [m/s]",
+        start=lambda gauge: (gauge.target_level, gauge.casting_speed, gauge.casting_speed * gauge.area_ratio),
+    )
+    parts = Value(wp.float64, "kg", "partial sums of the weight", start=np.zeros(PARTS), scratch=True)
+
+    def pressure_per_height(self, model: Model) -> float:
+        """rho_0 g [Pa/m]."""
+        return model.the(Fluid).reference_density * float(np.linalg.norm(model.gravity))
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        weight = self.pressure_per_height(model)
+        column = np.asarray(self.high, float) - np.asarray(self.low, float)
         section = column[0] * (column[2] if model.dimension == 3 else 1.0)
-        flow = self.flow = Flow()
-        flow.low, flow.high = wp.vec3(*self.low), wp.vec3(*self.high)
-        flow.mass_per_height = model.fluid.reference_density * section / model.lattice_density()
-        flow.response = self.response
-        flow.pressure_per_height = weight
-        flow.outflow_coefficient = self.casting_speed / (weight * self.target_level)
-        flow.area_ratio = self.area_ratio
-        flow.target_level = self.target_level
-        flow.gain = self.gain
-        self._parts = wp.zeros(PARTS, dtype=wp.float64, device=solver.executor.device)
-        start = [self.target_level, self.casting_speed, self.casting_speed * self.area_ratio]
-        self.speeds = wp.array(start, dtype=float, device=solver.executor.device)
+        constants = GaugeConstants()
+        constants.low, constants.high = wp.vec3(*self.low), wp.vec3(*self.high)
+        constants.mass_per_height = model.the(Fluid).reference_density * section / model.lattice.density()
+        constants.response = self.response
+        constants.pressure_per_height = weight
+        constants.outflow_coefficient = self.casting_speed / (weight * self.target_level)
+        constants.area_ratio = self.area_ratio
+        constants.target_level = self.target_level
+        constants.gain = self.gain
+        return {"gauge": constants}
 
-    def after_heat(self, interval: float) -> None:
-        s = self.state
-        measure_level(self.launch, interval, self.flow, s.role, s.position, s.mass, self._parts, self.speeds)
+    def after_heat(self, launch: Launch) -> None:
+        launch(weigh, PARTS)
+        launch.whole(control)

@@ -1,10 +1,21 @@
 """The mould: walls that oscillate along y."""
 
-from warpsph.core.term import BoundaryDevice
+from dataclasses import dataclass
+
+import numpy as np
+import warp as wp
+
+from warpsph.core.field import Field
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.particles import Particles
+from warpsph.core.state import State
+from warpsph.core.term import Term
 from warpsph.kernels.machine.mould import oscillate
 
 
-class OscillatingMould(BoundaryDevice):
+@dataclass(frozen=True, eq=False)
+class OscillatingMould(Term):
     """Moves every wall particle sinusoidally up and down (Vijaykumar 2012, sections 6.1 and 7.3).
 
     Args:
@@ -12,22 +23,18 @@ class OscillatingMould(BoundaryDevice):
         frequency: [Hz].
     """
 
-    def __init__(self, stroke: float, frequency: float):
-        self.amplitude, self.frequency = 0.5 * stroke, frequency
+    stroke: float
+    frequency: float
 
-    def bind(self, solver) -> None:
-        super().bind(solver)
-        self.state.add("rest_position", self.state.numpy("position"), self.state.position.dtype)
+    provides = ("an oscillating mould",)
 
-    def after_move(self, dt: float) -> None:
-        s = self.state
-        oscillate(
-            self.launch,
-            self.amplitude,
-            self.frequency,
-            self.solver.time,
-            s.role,
-            s.rest_position,
-            s.position,
-            s.velocity,
-        )
+    rest_position = Field(wp.vec3, "m", "place in the middle of the stroke")
+
+    def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        return {"rest_position": fields["position"]}
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        return {"amplitude": 0.5 * self.stroke, "frequency": self.frequency}
+
+    def move(self, launch: Launch) -> None:
+        launch(oscillate)

@@ -1,11 +1,17 @@
 """The outflow at the lower end of the simulated strand."""
 
-from warpsph.core.term import BoundaryDevice, exchange_of
+from dataclasses import dataclass
+
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.state import State
 from warpsph.kernels.machine.outflow import hold_zone, pass_on
+from warpsph.machine.exchange import ExchangePart
 from warpsph.machine.level import LevelGauge
 
 
-class Outflow(BoundaryDevice):
+@dataclass(frozen=True, eq=False)
+class Outflow(ExchangePart):
     """Withdraws the strand with v = k p (Vijaykumar 2012, section 6.3); what leaves goes back to the reservoir.
 
     Args:
@@ -15,24 +21,21 @@ class Outflow(BoundaryDevice):
         width: x, and in 3D z, up to which the strand reaches [m].
     """
 
-    def __init__(self, gauge: LevelGauge, begin: float, end: float, width: float):
-        self.gauge, self.begin, self.end, self.width = gauge, begin, end, width
+    gauge: LevelGauge
+    begin: float
+    end: float
+    width: float
 
-    def bind(self, solver) -> None:
-        super().bind(solver)
-        self.exchange = exchange_of(solver)
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        return super().constants(model, state) | {
+            "pressure_per_height": self.gauge.pressure_per_height(model),
+            "begin": self.begin,
+            "end": self.end,
+            "width": self.width,
+        }
 
-    def after_density(self, dt: float) -> None:
-        s = self.state
-        hold_zone(
-            self.launch,
-            self.gauge.flow.pressure_per_height,
-            self.gauge.speeds,
-            s.role,
-            s.position,
-            s.velocity,
-            s.pressure,
-        )
+    def prescribe(self, launch: Launch) -> None:
+        launch(hold_zone, speeds=self.gauge.speeds)
 
-    def after_heat(self, interval: float) -> None:
-        pass_on(self.launch, self.begin, self.end, self.width, self.exchange)
+    def after_heat(self, launch: Launch) -> None:
+        launch(pass_on)

@@ -1,10 +1,16 @@
 """Drag at the beginning of a run, so that a start that is not quite at rest comes to rest."""
 
-from warpsph.core.term import BoundaryDevice
+from dataclasses import dataclass
+
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.state import State
+from warpsph.core.term import Term
 from warpsph.kernels.machine.settling import slow_down
 
 
-class Settling(BoundaryDevice):
+@dataclass(frozen=True, eq=False)
+class Settling(Term):
     """Slows all free particles down for a while.
 
     Args:
@@ -12,8 +18,11 @@ class Settling(BoundaryDevice):
         until: time at which the drag ends [s].
     """
 
-    def __init__(self, rate: float, until: float):
-        self.rate, self.until = rate, until
+    rate: float
+    until: float
 
-    def after_move(self, dt: float) -> None:
-        slow_down(self.launch, dt, self.rate, self.until, self.solver.time, self.state.role, self.state.velocity)
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        return {"rate": self.rate, "until": self.until}
+
+    def move(self, launch: Launch) -> None:
+        launch(slow_down)

@@ -5,8 +5,12 @@ from dataclasses import dataclass
 
 import warp as wp
 
-from warpsph.core.term import BoundaryDevice, exchange_of
-from warpsph.kernels.machine.spray import Water, Zones, spray
+from warpsph.core.field import Value
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.state import State
+from warpsph.kernels.machine.spray import SprayZones, WaterConstants, boil, emit, ride
+from warpsph.machine.exchange import ExchangePart
 
 
 @dataclass(frozen=True)
@@ -25,7 +29,8 @@ class SprayZone:
     off: float = 1.0e9
 
 
-class Spray(BoundaryDevice):
+@dataclass(frozen=True, eq=False)
+class Spray(ExchangePart):
     """Particles of water that fly to the strand, heat up on it, vanish when they have boiled, and are sprayed again.
 
     Vijaykumar (2012), section 6.4.
@@ -34,57 +39,47 @@ class Spray(BoundaryDevice):
         zones: where and how much.
         nozzle: x from which the water comes [m]; it flies in -x, and in 3D from the same z in -z.
         speed: of flight [m/s].
-        reach: distance to the strand at which water touches it [m].
+        near: distance to the strand at which water touches it [m].
         lost: distance from the axis at which water has missed the strand [m].
         temperature: of the water [K].
         boiled: temperature on the enthalpy curve of the water at which it has vanished [K].
-        material: index of water.
+        material: name of the water.
         breadth: length of the sprayed faces across the strand [m], 0 in the plane.
+
+    Attributes:
+        sprayed: (zones,) on the device: particles sprayed so far.
+        missing: (1,) on the device: particles that the reservoir could not give.
     """
 
-    def __init__(
-        self,
-        zones: Sequence[SprayZone],
-        nozzle: float,
-        speed: float,
-        reach: float,
-        lost: float,
-        temperature: float,
-        boiled: float,
-        material: int,
-        breadth: float = 0.0,
-    ):
-        self.zones, self.nozzle, self.speed, self.reach, self.lost = list(zones), nozzle, speed, reach, lost
-        self.temperature, self.boiled, self.material, self.breadth = temperature, boiled, material, breadth
+    zones: Sequence[SprayZone]
+    nozzle: float
+    speed: float
+    near: float
+    lost: float
+    temperature: float
+    boiled: float
+    material: str
+    breadth: float = 0.0
 
-    def bind(self, solver) -> None:
-        super().bind(solver)
-        device = solver.executor.device
-        self.exchange = exchange_of(solver)
-        zones = self._zones = Zones()
+    due = Value(float, "", "fraction of the next particle of each zone", start=lambda spray: [0.0] * len(spray.zones))
+    sprayed = Value(int, "", "particles sprayed in each zone", start=lambda spray: [0] * len(spray.zones))
+    missing = Value(int, "", "particles that the reservoir could not give")
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        zones = SprayZones()
         for name in ("low", "high", "rate", "off"):
-            setattr(zones, name, wp.array([getattr(z, name) for z in self.zones], dtype=float, device=device))
-        substance = solver.model.materials[self.material]
-        water = self._water = Water()
-        water.nozzle, water.speed, water.reach, water.lost = self.nozzle, self.speed, self.reach, self.lost
+            setattr(zones, name, wp.array([getattr(z, name) for z in self.zones], dtype=float, device=state.device))
+        water = WaterConstants()
+        water.material = model.index_of(self.material)
+        substance = model.materials[water.material]
+        water.nozzle, water.speed, water.reach, water.lost = self.nozzle, self.speed, self.near, self.lost
         water.enthalpy = float(substance.enthalpy(self.temperature))
         water.boiled = float(substance.enthalpy(self.boiled))
-        water.material, water.breadth = self.material, self.breadth
-        self._due = wp.zeros(len(self.zones), dtype=float, device=device)
-        self.sprayed = wp.zeros(len(self.zones), dtype=int, device=device)
-        self.missing = wp.zeros(1, dtype=int, device=device)
+        water.breadth = self.breadth
+        return super().constants(model, state) | {"zones": zones, "water": water}
 
-    def after_heat(self, interval: float) -> None:
-        spray(
-            self.launch,
-            interval,
-            self._zones,
-            self._water,
-            self.solver.neighbours.list,
-            self.solver.time,
-            self.solver.neighbours.reservoir_start,
-            self._due,
-            self.sprayed,
-            self.missing,
-            self.exchange,
-        )
+    def after_heat(self, launch: Launch) -> None:
+        launch(ride)
+        launch(boil)
+        launch.whole(emit)
+        self.start_anew(launch)

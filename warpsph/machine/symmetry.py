@@ -1,16 +1,22 @@
 """The plane of symmetry."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
+import warp as wp
 
 from warpsph.core.labels import Role
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles
-from warpsph.core.term import BoundaryDevice
+from warpsph.core.state import State
+from warpsph.core.term import Term
 from warpsph.kernels.machine.symmetry import reflect
 
 
-class SymmetryPlane(BoundaryDevice):
+@dataclass(frozen=True, eq=False)
+class SymmetryPlane(Term):
     """A plane that lets nothing through and no heat: dummies behind it, and a mirror for what crosses it all the same.
 
     The first layer of a solid at the plane can slide along it only.
@@ -20,14 +26,15 @@ class SymmetryPlane(BoundaryDevice):
         offset: ``x . normal`` on the plane [m].
     """
 
-    def __init__(self, normal: Sequence[float], offset: float):
-        self.normal, self.offset = np.asarray(normal, float), offset
+    normal: Sequence[float]
+    offset: float
 
-    def add_dummies(self, particles: Particles, points: np.ndarray, material: int) -> None:
+    def add_dummies(self, particles: Particles, points: np.ndarray, material: str) -> None:
         """Add fixed dummies at ``points`` (n, 3) [m] behind the plane; they slip and conduct no heat."""
         particles.add(points, Role.DUMMY, material)
 
-    def after_move(self, dt: float) -> None:
-        s = self.state
-        reach = self.solver.model.spacing
-        reflect(self.launch, dt, self.normal, self.offset, reach, s.role, s.phase, s.position, s.velocity)
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        return {"normal": wp.vec3(*self.normal), "offset": self.offset, "reach": model.spacing}
+
+    def move(self, launch: Launch) -> None:
+        launch(reflect)

@@ -1,36 +1,34 @@
 """All diagnostics of a run over time, as small multiples."""
 
+from itertools import cycle, product
 from pathlib import Path
+from textwrap import fill
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 from warpsph.pictures.drawing import check_output
-from warpsph.pictures.quantities import DIAGNOSTICS, Quantity, quantity
+from warpsph.pictures.palette import colour_map
+from warpsph.pictures.panels import panels_of
 from warpsph.pictures.sheet import INK, PALE_INK, STILL_SUFFIXES, save
+from warpsph.pictures.units import title_of
 
-# what is compared in one panel
-TOGETHER = {
-    "mass": ("mass_inside", "mass_in", "mass_out"),
-    "enthalpy": ("enthalpy_inside", "enthalpy_in", "enthalpy_out"),
-    "heat taken away": ("heat_mould", "heat_spray"),
-    "heat": ("heat_fluid", "heat_wall"),
-    "density": ("density_min", "density_max"),
-    "particles": ("particles_inside", "particles_in", "particles_out"),
-}
-PER_METRE_OF_DEPTH = {"kg/m": "kg", "J/m": "J"}
-COORDINATES = ("time", "height")
-LINES = ("#c93a0a", "#2c5f8f", "#35b8a9", "#8a5a9e")
+COLOURS = ("#c93a0a", "#2c5f8f", "#35b8a9", "#8a5a9e")
+STYLES = ("-", "--", ":", "-.")  # for every further round of the colours
 PANEL_WIDTH, PANEL_HEIGHT = 3.5, 1.9  # inches
 DOTS_PER_INCH = 160
+TITLE_LETTERS = 46  # in a line
 
 
 def plot_diagnostics(result: ResultFile, output: Path) -> None:
-    """Draw each number as a curve, each array as a map over time and height, with units and a shared time axis.
+    """Draw each number as a curve and each array as a map, with units and a shared time axis.
+
+    What belongs together, and over what an array is given, is read from the file.
 
     Args:
         result: the run.
@@ -41,7 +39,7 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
     """
     output = Path(output)
     check_output(output, STILL_SUFFIXES)
-    panels = _panels(result.diagnostics, result.provenance.get("dimension", 2))
+    panels = panels_of(result)
     if not panels or len(result.diagnostics["time"]) == 0:
         raise InputError(f"{result.path}: holds no diagnostics to plot")
     columns = min(len(panels), 2 if len(panels) <= 6 else 3)
@@ -52,12 +50,12 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
         if place >= len(panels):
             axes.remove()
             continue
-        title, names = panels[place]
-        _dress(axes, title)
-        if result.diagnostics[names[0]].ndim == 1:
-            _draw_curves(axes, result.diagnostics, names)
+        panel = panels[place]
+        _dress(axes, panel.title)
+        if result.diagnostics[panel.names[0]].ndim == 1:
+            _draw_curves(axes, result, panel.names)
         else:
-            _draw_map(axes, result.diagnostics, names[0])
+            _draw_map(axes, result, panel.names[0])
         for time, _ in result.events:
             axes.axvline(time, color=PALE_INK, linewidth=0.8, linestyle=":")
         if place + columns >= len(panels):
@@ -74,55 +72,55 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
     save(figure, output)
 
 
-def _panels(diagnostics: dict[str, np.ndarray], dimension: int) -> list[tuple[str, list[str]]]:
-    """Title and names of each panel: first the curves, then the maps."""
-    group_of = {name: title for title, names in TOGETHER.items() for name in names}
-    panels: dict[str, list[str]] = {}
-    for name, series in sorted(diagnostics.items(), key=lambda item: (item[1].ndim, _rank(item[0]))):
-        if name not in COORDINATES and series.ndim <= 2 and series.size:
-            described = quantity(name, DIAGNOSTICS)
-            unit = PER_METRE_OF_DEPTH.get(described.unit, described.unit) if dimension == 3 else described.unit
-            panel = Quantity(group_of.get(name, described.label), unit)
-            panels.setdefault(panel.title, []).append(name)
-    return list(panels.items())
-
-
-def _rank(name: str) -> tuple[int, str]:
-    """Known names in the order of their table, then the others by name."""
-    known = list(DIAGNOSTICS)
-    return (known.index(name) if name in DIAGNOSTICS else len(known), name)
-
-
 def _dress(axes: Axes, title: str) -> None:
-    axes.set_title(title, loc="left", fontsize=9, color=INK)
+    axes.set_title(fill(title, TITLE_LETTERS), loc="left", fontsize=9, color=INK)
     axes.spines[["top", "right"]].set_visible(False)
     axes.spines[["left", "bottom"]].set_color(PALE_INK)
     axes.tick_params(colors=PALE_INK, labelcolor=INK, labelsize=7.5, length=3, width=0.6)
+    axes.locator_params(axis="x", nbins=6)
 
 
-def _draw_curves(axes: Axes, diagnostics: dict[str, np.ndarray], names: list[str]) -> None:
-    marker = "o" if len(diagnostics["time"]) < 3 else ""
-    for name, colour in zip(names, LINES, strict=False):
-        label = quantity(name, DIAGNOSTICS).label
-        axes.plot(diagnostics["time"], diagnostics[name], color=colour, linewidth=1.3, marker=marker, label=label)
+def _draw_curves(axes: Axes, result: ResultFile, names: list[str]) -> None:
+    time = result.diagnostics["time"]
+    marker = "o" if len(time) < 3 else ""
+    for (style, colour), name in zip(cycle(product(STYLES, COLOURS)), names, strict=False):
+        label, values = result.quantities[name].label, result.diagnostics[name]
+        axes.plot(time, values, label=label, color=colour, linestyle=style, linewidth=1.3, marker=marker)
     axes.grid(color="#e8eaed", linewidth=0.6)
     axes.set_axisbelow(True)
     axes.ticklabel_format(axis="y", scilimits=(-3, 4), useMathText=True)
     axes.yaxis.get_offset_text().set_visible(False)
-    if len(names) > 1:
+    if result.quantities[names[0]].panel:
         axes.legend(fontsize=7, frameon=False, labelcolor=INK, handlelength=1.2, loc="best")
 
 
-def _draw_map(axes: Axes, diagnostics: dict[str, np.ndarray], name: str) -> None:
-    time, values, height = diagnostics["time"], diagnostics[name], diagnostics.get("height")
-    described = quantity(name, DIAGNOSTICS)
-    has_height = height is not None and height.ndim == 2 and height.shape[1] == values.shape[1]
-    up = height[-1] if has_height else np.arange(values.shape[1])
-    if np.any(np.diff(time) <= 0) or np.any(np.diff(up) <= 0) or len(time) < 2 or len(up) < 2:
-        axes.imshow(values.T, aspect="auto", origin="lower", extent=(time[0], time[-1] or 1.0, 0, values.shape[1]))
-        return
-    drawn = axes.pcolormesh(time, up, values.T, cmap=described.colours, shading="nearest", rasterized=True)
-    axes.set_ylabel("height [m]" if has_height else "index", fontsize=8, color=INK)
+def _draw_map(axes: Axes, result: ResultFile, name: str) -> None:
+    time, values = result.diagnostics["time"], result.diagnostics[name]
+    label, up = _height_of(result, name)
+    colours = colour_map(result.quantities[name].colours)
+    axes.set_ylabel(label, fontsize=8, color=INK)
+    drawn: ScalarMappable
+    if len(time) > 1 and len(up) > 1 and np.all(np.diff(time) > 0):
+        drawn = axes.pcolormesh(time, up, values.T, cmap=colours, shading="nearest", rasterized=True)
+    else:
+        drawn = axes.imshow(values.T, aspect="auto", origin="lower", extent=(*_ends(time), *_ends(up)), cmap=colours)
     bar = axes.figure.colorbar(drawn, ax=axes, pad=0.02, fraction=0.06)
     bar.outline.set_visible(False)
+    bar.ax.ticklabel_format(axis="y", scilimits=(-3, 4), useMathText=True)
+    bar.ax.yaxis.get_offset_text().set_visible(False)
     bar.ax.tick_params(colors=PALE_INK, labelcolor=INK, labelsize=7.5, length=2, width=0.6)
+
+
+def _height_of(result: ResultFile, name: str) -> tuple[str, np.ndarray]:
+    """Label and values (m,) of the axis over which an array (T, m) is given: those of another one, or its index."""
+    over, count = result.quantities[name].over, result.diagnostics[name].shape[1]
+    places = result.diagnostics.get(over, np.empty(0))
+    if places.ndim == 2 and places.shape[1] == count and np.all(np.diff(places[-1]) > 0):
+        return title_of(result.quantities[over]), places[-1]
+    return "index", np.arange(count)
+
+
+def _ends(places: np.ndarray) -> tuple[float, float]:
+    """Ends of an axis whose cells stand around ``places``."""
+    half = 0.5 * (places[-1] - places[0]) / max(len(places) - 1, 1) or 0.5
+    return places[0] - half, places[-1] + half

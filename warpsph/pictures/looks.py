@@ -1,21 +1,22 @@
 """How particles are coloured, and the key that says so: by category, by one quantity, or as a freezing strand."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize, TwoSlopeNorm, to_rgb
 
 from warpsph.core.labels import Phase, Role
+from warpsph.core.quantity import Quantity
 from warpsph.files.results import ResultFile
-from warpsph.pictures.palette import MATERIAL_COLOURS, PHASE_COLOURS, ROLE_COLOURS, UNKNOWN, shell_and_melt
-from warpsph.pictures.quantities import FIELDS, quantity, values_of
+from warpsph.pictures.palette import MATERIAL_COLOURS, PHASE_COLOURS, ROLE_COLOURS, UNKNOWN, colour_map, shell_and_melt
 from warpsph.pictures.scales import colour_range, ticks_around
+from warpsph.pictures.shown_field import quantity_of, values_of
+from warpsph.pictures.units import title_of
 
 BESIDE_THE_FLUID = (Role.WALL, Role.DUMMY, Role.SPRAY)
-ROLE_NAMES = {
+ROLE_NAMES: Mapping[int, str] = {
     Role.FREE: "free",
     Role.WALL: "wall",
     Role.DUMMY: "dummy",
@@ -31,10 +32,9 @@ Frames = list[tuple[np.ndarray, Fields]]
 
 @dataclass
 class Bar:
-    """A colour bar: what it shows, which ends it cannot show, its ticks and the names of its halves."""
+    """A colour bar: its colours, which ends it cannot show, its ticks and the names of its halves."""
 
     mappable: ScalarMappable
-    title: str
     extend: str = "neither"
     ticks: list[float] | None = None
     halves: tuple[str, ...] = ()
@@ -46,7 +46,12 @@ class CategoryLook:
     bar = None
 
     def __init__(
-        self, name: str, names: dict[int, str], colours: dict[int, str], frames: Frames, aside: Sequence[Role] = ()
+        self,
+        name: str,
+        names: Mapping[int, str],
+        colours: Mapping[int, str],
+        frames: Frames,
+        aside: Sequence[Role] = (),
     ) -> None:
         self.name, self.title, self.colour_of, self.aside = name, name, colours, aside
         shown = [fields[name][~np.isin(fields["role"], aside)] for _, fields in frames]
@@ -68,13 +73,13 @@ class QuantityLook:
 
     aside = (Role.DUMMY, Role.SPRAY)
 
-    def __init__(self, name: str, frames: Frames) -> None:
+    def __init__(self, name: str, quantity: Quantity, frames: Frames) -> None:
         self.name = name
-        described = quantity(name, FIELDS)
         values = [self._shown(fields) for _, fields in frames]
         low, high, extend = colour_range(np.concatenate(values), whole=name == "temperature")
-        self.mappable = ScalarMappable(Normalize(low, high), colormaps[described.colours])
-        self.bar = Bar(self.mappable, described.title, extend)
+        self.mappable = ScalarMappable(Normalize(low, high), colour_map(quantity.colours))
+        self.title = title_of(quantity)
+        self.bar = Bar(self.mappable, extend)
         self.present = _roles_present(frames, self.aside)
 
     def _shown(self, fields: Fields) -> np.ndarray:
@@ -96,14 +101,14 @@ class StrandLook:
     The phase decides on the half, so that the shell stands out even where both have the temperature of freezing.
     """
 
-    def __init__(self, frames: Frames) -> None:
+    def __init__(self, temperature: Quantity, frames: Frames) -> None:
         shell, melt = (np.concatenate([_temperature(fields, solid) for _, fields in frames]) for solid in (True, False))
         freezing = np.quantile(shell, 0.995)
         low, high = min(shell.min(), freezing - 1.0), max(melt.max(), freezing + 1.0)
         self.mappable = ScalarMappable(TwoSlopeNorm(freezing, low, high), shell_and_melt())
-        self.bar = Bar(
-            self.mappable, "temperature [K]", ticks=ticks_around(low, freezing, high), halves=("shell", "melt")
-        )
+        ticks = ticks_around(low, freezing, high)
+        self.title = title_of(temperature)
+        self.bar = Bar(self.mappable, ticks=ticks, halves=("shell", "melt"))
         self.present = _roles_present(frames, BESIDE_THE_FLUID)
 
     def colours(self, fields: Fields) -> np.ndarray:
@@ -128,29 +133,29 @@ def choose_look(result: ResultFile, field: str | None, frames: Frames) -> Look:
         InputError: the file holds no field of this name.
     """
     if field is None:
-        return _default_look(frames)
+        return _default_look(result.field_quantities, frames)
     values_of(frames[0][1], field)
     if field == "role":
         return CategoryLook("role", ROLE_NAMES, ROLE_COLOURS, frames)
     if field == "phase":
-        names = {phase: phase.name.lower() for phase in Phase}
+        names: Mapping[int, str] = {phase: phase.name.lower() for phase in Phase}
         return CategoryLook("phase", names, PHASE_COLOURS, frames, aside=BESIDE_THE_FLUID)
     if field == "material":
         materials = dict(enumerate(result.provenance.get("materials", ())))
         return CategoryLook("material", materials, dict(enumerate(MATERIAL_COLOURS)), frames)
-    return QuantityLook(field, frames)
+    return QuantityLook(field, quantity_of(result.field_quantities, field), frames)
 
 
-def _default_look(frames: Frames) -> Look:
+def _default_look(known: dict[str, Quantity], frames: Frames) -> Look:
     fields = frames[0][1]
     if "temperature" in fields:
         if all(any(len(_temperature(fields, solid)) for _, fields in frames) for solid in (True, False)):
-            return StrandLook(frames)
+            return StrandLook(known["temperature"], frames)
         temperatures = np.concatenate([fields["temperature"] for _, fields in frames])
         if len(temperatures) and np.ptp(temperatures) > 0.1:
-            return QuantityLook("temperature", frames)
+            return QuantityLook("temperature", known["temperature"], frames)
     if "velocity" in fields:
-        return QuantityLook("speed", frames)
+        return QuantityLook("speed", quantity_of(known, "speed"), frames)
     return CategoryLook("role", ROLE_NAMES, ROLE_COLOURS, frames)
 
 
@@ -164,7 +169,7 @@ def _roles_present(frames: Frames, roles: Sequence[Role]) -> list[Role]:
     return [role for role in roles if any(np.any(fields["role"] == role) for _, fields in frames)]
 
 
-def _by_label(labels: np.ndarray, colour_of: dict[int, str]) -> np.ndarray:
+def _by_label(labels: np.ndarray, colour_of: Mapping[int, str]) -> np.ndarray:
     present, places = np.unique(labels, return_inverse=True)
     table = np.array([to_rgb(colour_of.get(label, UNKNOWN)) for label in present.tolist()])
     return table.reshape(-1, 3)[places]

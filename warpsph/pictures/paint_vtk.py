@@ -36,7 +36,7 @@ def paint(
     """
     width, height = size
     plotter = pyvista.Plotter(off_screen=True, window_size=[SUPERSAMPLING * width, SUPERSAMPLING * height])
-    plotter.background_color = "white"
+    plotter.renderer.SetBackground(1.0, 1.0, 1.0)
     if len(points):
         if view.camera:
             _add_discs(plotter, points, colours, diameters, SHADE_3D)
@@ -45,7 +45,7 @@ def paint(
             _add_discs(plotter, points - (0.0, 0.0, view.spacing), GROUND_BRIGHTNESS * colours, GROUND * diameters, 0.0)
     _aim(plotter.camera, view)
     plotter.renderer.ResetCameraClippingRange()
-    image = plotter.screenshot(return_img=True)
+    image = np.asarray(plotter.screenshot(return_img=True))
     plotter.close()
     blocks = image.reshape(height, SUPERSAMPLING, width, SUPERSAMPLING, 3)
     return blocks.mean(axis=(1, 3)).round().astype("u1")
@@ -70,9 +70,9 @@ def _aim(camera: vtkCamera, view: View) -> None:
     half_width, half_height = (view.right - view.left) / 2, (view.top - view.bottom) / 2
     x, y = (view.left + view.right) / 2, (view.bottom + view.top) / 2
     if view.camera:
-        camera.SetPosition(view.camera.eye)
-        camera.SetFocalPoint(view.camera.eye + view.camera.forward)
-        camera.SetViewUp(view.camera.up)
+        camera.SetPosition(*view.camera.eye)
+        camera.SetFocalPoint(*(view.camera.eye + view.camera.forward))
+        camera.SetViewUp(*view.camera.up)
         camera.SetViewAngle(np.degrees(2 * np.arctan(half_height)))
         camera.SetWindowCenter(x / half_width, y / half_height)
     else:

@@ -1,12 +1,14 @@
 """The colours of all pictures: roles, phases and materials, and the colour maps."""
 
+from collections.abc import Mapping
 from functools import cache
 
+from matplotlib import colormaps
 from matplotlib.colors import Colormap, LinearSegmentedColormap
 
 from warpsph.core.labels import Phase, Role
 
-ROLE_COLOURS = {
+ROLE_COLOURS: Mapping[int, str] = {
     Role.FREE: "#f28e2b",
     Role.WALL: "#35b8a9",
     Role.DUMMY: "#e4dfce",
@@ -15,12 +17,17 @@ ROLE_COLOURS = {
     Role.INFLOW: "#fbd34d",
     Role.OUTFLOW: "#b5532a",
 }
-PHASE_COLOURS = {Phase.LIQUID: "#ee7412", Phase.MUSHY: "#f6c667", Phase.SOLID: "#34567d"}
+PHASE_COLOURS: Mapping[int, str] = {Phase.LIQUID: "#ee7412", Phase.MUSHY: "#f6c667", Phase.SOLID: "#34567d"}
 UNKNOWN = "#999999"
 MATERIAL_COLOURS = ("#ee7412", "#35b8a9", "#34567d", "#b279a2", "#bab0ac", "#9d755d")
 
 SHELL = ("#0a1a33", "#17365f", "#2c5f8f", "#5b93bd", "#a3c8de")
 MELT = ("#a81f08", "#d24a0c", "#ef7c18", "#fbab35", "#fed766", "#fff3b8")
+
+
+def colour_map(name: str) -> Colormap:
+    """The colour map of that name; viridis for a name that matplotlib does not know."""
+    return colormaps.get(name, colormaps["viridis"])
 
 
 @cache

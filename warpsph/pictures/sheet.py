@@ -1,6 +1,8 @@
 """The sheet around the particles: axes, time stamps, colour bar and key, the same for every painter."""
 
 from pathlib import Path
+from textwrap import wrap
+from typing import Any
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -14,7 +16,9 @@ STILL_SUFFIXES = (".png", ".pdf", ".svg", ".jpg")
 # inches
 LEFT, RIGHT, BOTTOM, TOP, GAP = 0.62, 0.12, 0.5, 0.38, 0.22
 KEY, BAR_WIDTH, BAR_HEIGHT, LINE = 1.35, 0.17, 3.0, 0.23
+POWER = 0.62  # from the left of the bar to its power of ten, beside the tick labels
 WIDEST_ROW = 14.0
+KEY_LETTERS = 17  # in a line of the key's title
 INK, PALE_INK = "#26292e", "#8a8f98"
 
 
@@ -39,14 +43,16 @@ class Sheet:
         with_axes = view.camera is None
         left, bottom = (LEFT, BOTTOM) if with_axes else (RIGHT, RIGHT)
         row = height + TOP + (bottom if with_axes else 0.0)
-        key = LINE * (len(look.patches()) + 1.5) + (1.2 if look.bar else 0.0)
+        title = wrap(look.title, KEY_LETTERS)
+        heading = 0.6 * LINE * (len(title) + 1)
+        key = heading + LINE * (len(look.patches()) + 0.3) + (1.2 if look.bar else 0.0)
         body = max(rows * row, key)
         total = (left + columns * (width + GAP) + KEY, body + (0.0 if with_axes else RIGHT))
 
         # whole and even numbers of pixels, which movies need
         pixels = [2 * round(dots_per_inch * length / 2) for length in total]
         self.figure = Figure(
-            figsize=[length / dots_per_inch for length in pixels], dpi=dots_per_inch, facecolor="white"
+            figsize=(pixels[0] / dots_per_inch, pixels[1] / dots_per_inch), dpi=dots_per_inch, facecolor="white"
         )
         self.canvas = FigureCanvasAgg(self.figure)
         self.size = (max(2, round(dots_per_inch * width)), max(2, round(dots_per_inch * height)))
@@ -60,7 +66,9 @@ class Sheet:
             self._panels.append(
                 (axes, self._blank(axes), axes.set_title("", loc="left", fontsize=10, color=INK, pad=5))
             )
-        self._draw_key(look, left + columns * (width + GAP) + 0.1, total[1] - TOP, max(body - TOP - bottom, key - LINE))
+        key_left, key_top = left + columns * (width + GAP) + 0.1, total[1] - TOP
+        self._text(key_left, key_top, "\n".join(title), weight="bold")
+        self._draw_key(look, key_left, key_top - heading, max(body - TOP - bottom, key - LINE) - heading)
 
     def show(self, panel: int, image: np.ndarray, time: float) -> None:
         """Put the painted particles (height, width, 3) uint8 of ``time`` [s] into a panel."""
@@ -101,11 +109,8 @@ class Sheet:
 
     def _draw_key(self, look: Look, left: float, top: float, height: float) -> None:
         patches = look.patches()
-        title = look.bar.title if look.bar else look.title
-        self._text(left, top, title, weight="bold")
-        top -= 1.2 * LINE
         if look.bar:
-            bar_height = min(BAR_HEIGHT, height - 1.2 * LINE - (len(patches) + 1) * LINE)
+            bar_height = min(BAR_HEIGHT, height - (len(patches) + 1) * LINE)
             indent = 0.17 if look.bar.halves else 0.0
             axes = self._axes(left + indent, top - bar_height, BAR_WIDTH, bar_height)
             bar = self.figure.colorbar(look.bar.mappable, cax=axes, extend=look.bar.extend, ticks=look.bar.ticks)
@@ -114,8 +119,8 @@ class Sheet:
             if look.bar.ticks:
                 bar.ax.yaxis.set_major_formatter("{x:.0f}")
             else:
-                bar.formatter.set_powerlimits((-3, 5))
-                bar.ax.yaxis.get_offset_text().set(fontsize=8, color=INK, ha="left")
+                bar.ax.ticklabel_format(axis="y", scilimits=(-3, 5), useMathText=True)
+                bar.ax.yaxis.get_offset_text().set(fontsize=8, color=INK, ha="left", x=POWER / BAR_WIDTH)
             for place, text in zip((0.25, 0.75), look.bar.halves, strict=False):
                 at = top - bar_height + place * bar_height
                 self._text(left + 0.06, at, text, rotation=90, va="center", ha="center")
@@ -133,12 +138,12 @@ class Sheet:
             self._text(left + 0.22, top, name, va="center")
             top -= LINE
 
-    def _text(self, left: float, bottom: float, text: str, **style) -> None:
+    def _text(self, left: float, bottom: float, text: str, **style: Any) -> None:
         self.figure.text(
             left / self._total[0],
             bottom / self._total[1],
             text,
-            **({"fontsize": 8.5, "color": INK, "va": "top"} | style),
+            **{"fontsize": 8.5, "color": INK, "va": "top", **style},
         )
 
 

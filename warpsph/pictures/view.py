@@ -73,7 +73,7 @@ def make_view(result: ResultFile, frames: Frames) -> View:
         camera = Camera(eye, right, np.cross(DIRECTION, right), -DIRECTION)
         corners = _project(np.clip(points, low, high), camera)[:, :2]
         (left, bottom), (right, top) = corners.min(axis=0), corners.max(axis=0)
-        margin = spacing / np.linalg.norm(eye - (low + high) / 2)
+        margin = spacing / float(np.linalg.norm(eye - (low + high) / 2))
     else:
         camera = None
         (left, bottom, _), (right, top, _) = _box(points)

@@ -3,41 +3,40 @@
 import numpy as np
 
 from warpsph.core.labels import Phase, Role
-from warpsph.core.model import Elasticity
+from warpsph.core.state import Snapshot
+from warpsph.kernels.basics.roles import FLUID_ROLES
+from warpsph.run.measured import Measured, Values
+from warpsph.terms.elasticity import Elasticity
 
-Snapshot = dict[str, np.ndarray]
 
-
-def common_diagnostics(state: Snapshot) -> dict[str, float]:
-    """Kinetic energy [J], highest speed [m/s], over particles that move, and with a fluid the range of density
-    [kg/m^3] over those that are not solid. Per metre of depth in 2D.
+def common_diagnostics(state: Snapshot) -> Values:
+    """Kinetic energy, highest speed, over particles that move, and with a fluid the range of density over those that
+    are not solid; not a number where there are none.
     """
-    moving = np.isin(state["role"], (Role.FREE, Role.INFLOW, Role.OUTFLOW))
-    if not np.any(moving):
-        return {}
+    moving = np.isin(state["role"], FLUID_ROLES)
     speed_squared = np.sum(state["velocity"][moving].astype(float) ** 2, axis=1)
-    values = {
-        "kinetic_energy": 0.5 * float(np.sum(state["mass"][moving] * speed_squared)),
-        "highest_speed": float(np.sqrt(np.max(speed_squared))),
+    energy = 0.5 * float(np.sum(state["mass"][moving] * speed_squared))
+    values: Values = {
+        "kinetic_energy": Measured(energy, "J", "kinetic energy", per_depth=True),
+        "highest_speed": Measured(float(np.sqrt(np.max(speed_squared, initial=0.0))), "m/s", "highest speed"),
     }
-    flowing = moving & (state["phase"] != Phase.SOLID)
-    if "density" in state and np.any(flowing):
-        values["density_min"] = float(np.min(state["density"][flowing]))
-        values["density_max"] = float(np.max(state["density"][flowing]))
+    if "density" in state:
+        flowing = state["density"][moving & (state["phase"] != Phase.SOLID)]
+        lowest, highest = (float(flowing.min()), float(flowing.max())) if len(flowing) else (np.nan, np.nan)
+        values["density_min"] = Measured(lowest, "kg/m^3", "lowest", panel="density")
+        values["density_max"] = Measured(highest, "kg/m^3", "highest", panel="density")
     return values
 
 
-def strain_energy(state: Snapshot, elasticity: Elasticity) -> float:
-    """Elastic energy [J] of all solid particles, without that of the hourglass control (Vijaykumar 2012, (4.12)).
-
-    Per metre of depth in 2D.
-    """
+def strain_energy(state: Snapshot, elasticity: Elasticity) -> Measured:
+    """Elastic energy of all solid particles, without that of the hourglass control (Vijaykumar 2012, (4.12))."""
     lame_lambda, lame_mu = elasticity.lame
     solid = state["phase"] == Phase.SOLID
     F = state["deformation"][solid].astype(float)
     strain = 0.5 * (np.einsum("nki,nkj->nij", F, F) - np.eye(3))
     density = lame_mu * np.sum(strain**2, axis=(1, 2)) + 0.5 * lame_lambda * np.trace(strain, axis1=1, axis2=2) ** 2
-    return float(np.sum(state["body_volume"][solid] * density))
+    energy = float(np.sum(state["body_volume"][solid] * density))
+    return Measured(energy, "J", "elastic energy", per_depth=True)
 
 
 def enthalpy_by_material(state: Snapshot, materials: int) -> np.ndarray:

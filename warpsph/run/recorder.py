@@ -1,44 +1,92 @@
 """Keeping what a run produces: frames and diagnostics, in the file and in memory."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
 
 from warpsph.core.labels import Role
-from warpsph.files.output import ResultWriter
+from warpsph.core.quantity import Quantity
+from warpsph.core.state import Snapshot, State
+from warpsph.files.output import TIME, ResultWriter
 from warpsph.run.diagnostics import common_diagnostics
+from warpsph.run.events import Events
+from warpsph.run.measured import Values, quantity_of, value_of
 
-if TYPE_CHECKING:
-    from warpsph.run.simulation import Simulation
-
-FRAME_FIELDS = (
-    "id", "role", "material", "phase", "velocity", "density", "pressure", "temperature", "enthalpy", "solid_fraction",
-)  # fmt: skip
+Observe = Callable[[Snapshot, float], Values]
+Describe = Callable[[dict[str, Any]], str]
 
 
 class Recorder:
-    """Keeps frames and diagnostics, in the file and in memory."""
+    """Keeps frames, diagnostics and events.
 
-    def __init__(self, simulation: "Simulation", writer: ResultWriter | None):
-        self.simulation, self.writer = simulation, writer
+    Args:
+        state: what is recorded.
+        dimension: 2 or 3.
+        events: what happens.
+        observe: gives the scenario's own diagnostics from a snapshot and the time [s].
+        describe: gives a note for people from the latest diagnostics.
+
+    Attributes:
+        series: diagnostics by name, a list over time each.
+        quantities: what they are called and in which unit.
+        note: the latest note.
+        writer: the file, or None.
+    """
+
+    def __init__(
+        self, state: State, dimension: int, events: Events, observe: Observe | None, describe: Describe | None
+    ):
+        self.state, self.dimension, self.events = state, dimension, events
+        self.observe, self.describe = observe, describe
+        self.writer: ResultWriter | None = None
+        self.begin(None)
+
+    def begin(self, writer: ResultWriter | None) -> None:
+        """Begin anew, with a file or without."""
+        self.writer = writer
         self.series: dict[str, list] = {"time": []}
+        self.quantities: dict[str, Quantity] = {"time": TIME}
         self.note = ""
 
     def keep(self) -> None:
         """Keep the present state: a frame without the reservoir, the diagnostics, and the events since the last one."""
-        simulation, time = self.simulation, self.simulation.time
-        snapshot = simulation.snapshot()
-        values = common_diagnostics(snapshot)
-        if simulation.observe is not None:
-            values |= simulation.observe(snapshot, time)
-        self.series["time"].append(time)
-        for name, value in values.items():
-            self.series.setdefault(name, []).append(value)
-        if simulation.describe is not None:
-            self.note = simulation.describe(values)
+        snapshot, time = self.state.snapshot(), float(self.state.time.numpy()[0])
+        measured = common_diagnostics(snapshot)
+        if self.observe is not None:
+            measured |= self.observe(snapshot, time)
+        values = {name: value_of(given) for name, given in measured.items()}
+        for name, given in measured.items():
+            self.quantities.setdefault(name, quantity_of(name, given, self.dimension))
+        self._append(time, values)
+        if self.describe is not None:
+            self.note = self.describe(values)
+        new_events = self.events.take_new()
         if self.writer is not None:
             present = snapshot["role"] != Role.RESERVOIR
-            fields = {name: snapshot[name][present] for name in FRAME_FIELDS if name in snapshot}
+            fields = {name: snapshot[name][present] for name, field in self.state.fields.items() if field.written}
             self.writer.write_frame(time, snapshot["position"][present], fields)
-            self.writer.write_diagnostics(time, values)
-            for event in simulation.new_events:
+            self.writer.write_diagnostics(time, values, self.quantities)
+            for event in new_events:
                 self.writer.write_event(*event)
-        simulation.new_events.clear()
+
+    def diagnostics(self) -> dict[str, np.ndarray]:
+        """The time series."""
+        return {name: np.array(values) for name, values in self.series.items()}
+
+    def memory(self) -> dict[str, Any]:
+        return {"series": {name: list(values) for name, values in self.series.items()}, "note": self.note}
+
+    def restore(self, memory: dict[str, Any]) -> None:
+        self.series = {name: list(values) for name, values in memory["series"].items()}
+        self.note = memory["note"]
+
+    def _append(self, time: float, values: dict[str, float | np.ndarray]) -> None:
+        """One row more; what was not measured this time, or not before, is not a number."""
+        rows = len(self.series["time"])
+        for name, value in values.items():
+            self.series.setdefault(name, [np.full(np.shape(value), np.nan)] * rows).append(value)
+        for name, series in self.series.items():
+            if name != "time" and name not in values:
+                series.append(np.full(np.shape(series[-1]), np.nan))
+        self.series["time"].append(time)

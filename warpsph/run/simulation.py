@@ -1,62 +1,58 @@
 """A run: the clock, the schedule of output and diagnostics, progress, and the watch over divergence."""
 
 import time as wall_clock
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
 
-from warpsph.core.executor import Executor
+from warpsph.core.composition import compose
+from warpsph.core.executor import Executor, Recording
+from warpsph.core.initial import initial_state
 from warpsph.core.labels import Role
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
+from warpsph.core.registry import Registry, Remembers
 from warpsph.core.solver import Solver
-from warpsph.core.state import State
-from warpsph.core.term import BoundaryDevice
+from warpsph.core.state import Snapshot
+from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError
 from warpsph.files.output import ResultWriter
 from warpsph.files.provenance import provenance
-from warpsph.run.diagnostics import Snapshot
+from warpsph.run.divergence import refuse_divergence
+from warpsph.run.events import Events
 from warpsph.run.interrupt import InterruptRequest
-from warpsph.run.progress import Meter, Progress
-from warpsph.run.recorder import Recorder
-from warpsph.run.timestep import conduction_limits, time_step_limits
+from warpsph.run.progress import Meter, Report
+from warpsph.run.recorder import Describe, Observe, Recorder
+from warpsph.run.result import Result
+from warpsph.run.timestep import plan_steps
 
-
-@dataclass
-class Result:
-    """What a run leaves: the final state as NumPy arrays and the diagnostics as time series.
-
-    ``positions`` (n, 3) [m] and ``fields`` (n, ...) hold every particle in the order of its id, those in the reservoir
-    too; ``status`` is "complete" or "interrupted"; ``summary`` pairs a label with a text for people.
-    """
-
-    positions: np.ndarray
-    fields: dict[str, np.ndarray]
-    diagnostics: dict[str, np.ndarray]
-    events: list[tuple[float, str]]
-    time: float
-    steps: int
-    status: str
-    wall_time: float
-    summary: dict[str, str] = field(default_factory=dict)
+FASTEST = 1.0e6  # [m/s], where no term knows a limit
 
 
 class Simulation:
-    """Particles, physics and devices, ready to run.
+    """Particles, physics and parts of a machine, ready to run.
 
     Args:
         executor: where to run.
         model: physics.
         particles: initial particles.
-        devices: boundary devices, in the order in which they act.
-        lower, upper: box that holds the particles [m], by default theirs with a margin.
+        parts: parts of a machine, in the order in which they act.
+        lower, upper: box (3,) that holds the particles [m], by default theirs with a margin.
         dt: time step [s], by default the largest stable one; a larger one is refused.
         step_factor: what the limits of the flow's time step are multiplied by; more than 1 is for studies of stability.
-        speed_limit: speed at which the run counts as diverged [m/s]; by default five times the sound speed.
-        observe: gives the scenario's own diagnostics from a snapshot and the time.
+        speed_limit: speed at which the run counts as diverged [m/s]; by default what the terms say.
+        observe: gives the scenario's own diagnostics from a snapshot and the time [s]. One that remembers something has
+            ``memory()`` and ``restore(memory)``.
         describe: gives the note of the progress bar and the summary from the latest diagnostics.
+
+    Raises:
+        InputError: terms exclude each other or lack something, particles do not fit the model, or ``dt`` is too long.
+
+    Attributes:
+        state: the device arrays.
+        solver: the step.
+        events: what happens; observers may note something there.
     """
 
     def __init__(
@@ -65,57 +61,58 @@ class Simulation:
         model: Model,
         particles: Particles,
         *,
-        devices: Sequence[BoundaryDevice] = (),
-        lower: Sequence[float] | None = None,
-        upper: Sequence[float] | None = None,
+        parts: Sequence[Term] = (),
+        lower: Sequence[float] | np.ndarray | None = None,
+        upper: Sequence[float] | np.ndarray | None = None,
         dt: float | None = None,
         step_factor: float = 1.0,
         speed_limit: float | None = None,
-        observe: Callable[[Snapshot, float], dict[str, float | np.ndarray]] | None = None,
-        describe: Callable[[dict[str, float | np.ndarray]], str] | None = None,
+        observe: Observe | None = None,
+        describe: Describe | None = None,
     ):
-        self.executor, self.model = executor, model
-        self.observe, self.describe = observe, describe
-        limits = time_step_limits(model, tuple(np.unique(particles.material[particles.role == Role.FREE])))
-        self.limits = {reason: step_factor * limit for reason, limit in limits.items()}
-        self.longest_step = _choose_step(dt, self.limits)
-        self.heat_every = 1
-        if model.conduction is not None:
-            self.heat_limits = conduction_limits(model)
-            longest = min(self.heat_limits.values())
-            if model.fluid is None:
-                self.longest_step = _choose_step(dt, self.heat_limits)
-            else:
-                self.heat_every = max(int(longest / self.longest_step), 1)
-                self.longest_step = min(self.longest_step, longest)
-        if not np.isfinite(self.longest_step):
-            raise InputError("dt: nothing limits the time step of this case; give one")
+        self.executor = executor
+        self.model = model = compose(model, tuple(parts))
+        self.state = state = initial_state(model, particles, executor.device)
+        free = state.numpy("role") == Role.FREE
+        moving = tuple(int(index) for index in np.unique(state.numpy("material")[free]))
+        self.plan = plan_steps(model, moving, dt, step_factor)
         margin = 4.0 * model.support
         lower = particles.position.min(axis=0) - margin if lower is None else np.asarray(lower)
         upper = particles.position.max(axis=0) + margin if upper is None else np.asarray(upper)
         if speed_limit is None:
-            speed_limit = 5.0 * model.fluid.sound_speed if model.fluid else 1.0e6
-        self.state = State(particles, model, executor.device)
-        self.solver = Solver(
-            executor, model, self.state, devices, self.longest_step, self.heat_every, lower, upper, speed_limit
-        )
-        self.events: list[tuple[float, str]] = []
-        self.new_events: list[tuple[float, str]] = []
+            speed_limit = min(FASTEST, *(term.speed_limit(model) for term in model.terms))
+        self.solver = Solver(executor, model, state, lower, upper, speed_limit)
+        self.events = Events()
+        self.recorder = Recorder(state, model.dimension, self.events, observe, describe)
+        self._recorded_for: float | None = None
+        self._recordings: list[tuple[Recording, int]] = []
 
     @property
     def time(self) -> float:
         """Simulated time [s]."""
-        return float(self.solver.time.numpy()[0])
+        return float(self.state.time.numpy()[0])
 
-    def note_event(self, time: float, text: str) -> None:
-        """Keep that ``text`` happened at ``time`` [s]; it goes to the file and to the result."""
-        self.events.append((time, text))
-        self.new_events.append((time, text))
+    @property
+    def steps(self) -> int:
+        """Steps done."""
+        return int(self.state.steps.numpy()[0])
+
+    @property
+    def registry(self) -> Registry:
+        """All that changes in a run."""
+        memories: dict[str, Remembers] = {"events": self.events, "recorder": self.recorder}
+        observer = getattr(self.recorder.observe, "__self__", self.recorder.observe)
+        if isinstance(observer, Remembers):
+            memories["observer"] = observer
+        return Registry(self.state, memories)
 
     def snapshot(self) -> Snapshot:
-        """A copy of all per-particle arrays on the host, in the order of the ids."""
-        order = np.argsort(self.state.numpy("id"))
-        return {name: self.state.numpy(name)[order] for name in self.state.per_particle if "carry" not in name}
+        """A copy of all per-particle fields on the host, in the order of the ids."""
+        return self.state.snapshot()
+
+    def prepare(self) -> None:
+        """Bring what follows from the initial state up to date; a run does so by itself before its first step."""
+        self.solver.prepare()
 
     def run(
         self,
@@ -124,10 +121,13 @@ class Simulation:
         *,
         output: Path | None = None,
         overwrite: bool = False,
-        progress: Callable[[Progress], None] | None = None,
+        progress: Report | None = None,
         parameters: dict | None = None,
     ) -> Result:
-        """Simulate for ``duration`` [s].
+        """Simulate for ``duration`` [s] from the present time on.
+
+        The time step fills the output interval with whole cycles and does not depend on the duration; the run ends
+        with the cycle nearest to it.
 
         Args:
             duration: physical time [s].
@@ -141,28 +141,33 @@ class Simulation:
             InputError: the file cannot be made.
             DivergenceError: the simulation diverged; the frames before are kept.
         """
+        for name, value in (("duration", duration), ("output_interval", output_interval)):
+            if not value > 0.0:
+                raise InputError(f"{name} = {value}: must be positive [s]")
         writer = self._open(output, overwrite, parameters or {})
         started = wall_clock.perf_counter()
-        recorder = Recorder(self, writer)
+        recorder = self.recorder
+        recorder.begin(writer)
         status = "failed"
         try:
-            self._record(min(output_interval, duration))
+            dt, cycles_per_frame = self.plan.fitted(output_interval)
+            cycle_time = dt * self.plan.heat_every
+            schedule = self._schedule(dt)
             recorder.keep()
-            cycles_done, cycles = 0, max(round(duration / self._cycle_time), 1)
-            per_frame = max(round(output_interval / self._cycle_time), 1)
-            meter = Meter(self, duration, progress)
+            cycles_done, cycles = 0, max(round(duration / cycle_time), 1)
+            meter = Meter(self.time, duration, dt, self.plan.heat_every, progress)
             with InterruptRequest() as interrupt:
                 stopping = False
                 while cycles_done < cycles and not stopping:
-                    until_frame = min(per_frame - cycles_done % per_frame, cycles - cycles_done)
+                    until_frame = min(cycles_per_frame - cycles_done % cycles_per_frame, cycles - cycles_done)
                     batch = min(meter.cycles_at_once, until_frame)
-                    self.executor.replay(self._schedule * batch)
+                    self.executor.replay(schedule * batch)
                     cycles_done += batch
-                    self._look()
+                    refuse_divergence(self.solver, self.plan.limits)
                     stopping = interrupt.asked
                     if batch == until_frame or stopping:
                         recorder.keep()
-                    meter.update(batch, cycles_done, recorder.note)
+                    meter.update(batch, cycles_done, self.time, recorder.note)
             status = "complete" if cycles_done == cycles else "interrupted"
         except DivergenceError:
             status = "diverged"
@@ -170,9 +175,9 @@ class Simulation:
         finally:
             wall_time = wall_clock.perf_counter() - started
             if writer is not None:
-                writer.finish(status=status, wall_time=wall_time, steps=int(self.solver.steps.numpy()[0]))
+                writer.finish(status=status, wall_time=wall_time, steps=self.steps)
                 writer.close()
-        return self._result(recorder, status, wall_time)
+        return self._result(status, wall_time)
 
     def _open(self, output: Path | None, overwrite: bool, parameters: dict) -> ResultWriter | None:
         if output is None:
@@ -182,64 +187,42 @@ class Simulation:
             "dimension": self.model.dimension,
             "materials": [material.name for material in self.model.materials],
         }
-        return ResultWriter(output, parameters, facts, overwrite)
+        quantities = {name: field.quantity for name, field in self.state.fields.items() if field.written}
+        return ResultWriter(output, parameters, facts, overwrite, quantities)
 
-    def _record(self, interval: float) -> None:
-        """Fit the time step to the output interval and record the cycle of ``heat_every`` steps."""
-        solver = self.solver
-        cycles = int(np.ceil(interval / (self.heat_every * self.longest_step) - 1e-9))
-        self._cycle_time = interval / cycles
-        solver.dt = self._cycle_time / self.heat_every
-        solver.prepare()
-        with_heat = self.model.conduction is not None
-        last = self.executor.record(solver.step_with_heat if with_heat else solver.step)
-        self._schedule = [(last, 1)]
-        if self.heat_every > 1:
-            self._schedule.insert(0, (self.executor.record(solver.step), self.heat_every - 1))
+    def _schedule(self, dt: float) -> list[tuple[Recording, int]]:
+        """What is replayed for a cycle of ``heat_every`` steps of ``dt`` [s], recorded where that is a new step."""
+        if self._recorded_for == dt:
+            return self._recordings
+        solver, every = self.solver, self.plan.heat_every
+        solver.set_steps(dt, dt * every)
+        if self.steps == 0:
+            solver.prepare()
+        record = self.executor.record
+        self._recordings = [(record(solver.step_with_heat if self.plan.with_heat else solver.step), 1)]
+        if every > 1:
+            self._recordings.insert(0, (record(solver.step), every - 1))
+        self._recorded_for = dt
+        return self._recordings
 
-    def _look(self) -> None:
-        """Stop a run that has diverged or whose lists were too short."""
-        solver = self.solver
-        for rows, limit in (
-            (solver.neighbours.longest_row, solver.neighbours.list.capacity),
-            (solver.longest_bond_row, self.state.bonds.capacity if self.state.bonds is not None else 0),
-        ):
-            if (length := int(rows.numpy()[0])) > 0:
-                raise DivergenceError(
-                    f"{length} neighbours around one particle, {limit} expected at most, before t = {self.time:.6g} s: "
-                    "particles have collapsed onto each other; a smaller time step or a higher sound speed may help"
-                )
-        if (index := int(solver.runaway.numpy()[0])) > 0:
-            s = self.state
-            place = ", ".join(f"{x:.4g}" for x in s.numpy("position")[index - 1])
-            speed = float(np.linalg.norm(s.numpy("velocity")[index - 1]))
-            name = self.model.materials[s.numpy("material")[index - 1]].name
-            role = Role(int(s.numpy("role")[index - 1])).name.lower()
-            raise DivergenceError(
-                f"diverged before t = {self.time:.6g} s: particle {s.numpy('id')[index - 1]} ({role}, {name}) at "
-                f"({place}) m has speed {speed:.4g} m/s, limit {solver.speed_limit:.4g} m/s; "
-                f"dt = {solver.dt:.3g} s against limits {_listed(self.limits)}"
-            )
-
-    def _result(self, recorder: Recorder, status: str, wall_time: float) -> Result:
+    def _result(self, status: str, wall_time: float) -> Result:
         fields = self.snapshot()
-        positions = fields.pop("position")
-        diagnostics = {name: np.array(values) for name, values in recorder.series.items()}
-        steps = int(self.solver.steps.numpy()[0])
-        summary = {"simulated": f"{self.time:.4g} s in {steps} steps of {self.solver.dt:.3g} s"}
+        recorder = self.recorder
+        summary = {
+            "simulated": f"{self.time:.4g} s in {self.steps} steps of {self.solver.dt:.3g} s",
+            "computed on": f"{self.executor.description}, in {wall_time:.3g} s",
+        }
         if recorder.note:
             summary["at the end"] = recorder.note
-        return Result(positions, fields, diagnostics, self.events, self.time, steps, status, wall_time, summary)
-
-
-def _choose_step(dt: float | None, limits: dict[str, float]) -> float:
-    longest = min(limits.values(), default=np.inf)
-    if dt is None:
-        return longest
-    if dt > longest * (1.0 + 1e-9):
-        raise InputError(f"time step {dt:.3g} s is too long; limits: {_listed(limits)}")
-    return dt
-
-
-def _listed(limits: dict[str, float]) -> str:
-    return ", ".join(f"{reason} {limit:.3g} s" for reason, limit in limits.items())
+        return Result(
+            positions=fields.pop("position"),
+            fields=fields,
+            diagnostics=recorder.diagnostics(),
+            quantities=dict(recorder.quantities),
+            events=list(self.events.all),
+            time=self.time,
+            steps=self.steps,
+            status=status,
+            wall_time=wall_time,
+            summary=summary,
+        )

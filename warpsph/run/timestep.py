@@ -1,58 +1,81 @@
-"""Limits of the time step, each with its reason."""
+"""The time step: the shortest of the limits of all terms."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
-from warpsph.core.materials import Material
 from warpsph.core.model import Model
+from warpsph.core.term import Term
+from warpsph.errors import InputError
+
+Limits = dict[str, float]
 
 
-def time_step_limits(model: Model, moving: tuple[int, ...]) -> dict[str, float]:
-    """Largest stable steps [s] of the flow and of elastic solids by reason.
+@dataclass(frozen=True)
+class StepPlan:
+    """How long steps are at most.
 
-    ``moving`` are the indices of the materials that move. Vijaykumar (2012), equation (7.6) with h = H/2, because the
-    formula comes from a kernel with support 2h; and the elastic wave, to which the sound of the melt adds, across
-    half a spacing, because bonds may be shorter than the spacing. The shortest capillary wave as in Morris (2000).
+    Attributes:
+        longest: time step [s].
+        heat_every: steps between two steps with heat.
+        limits: of the flow and of solids [s], by reason.
+        with_heat: whether heat is conducted at all.
     """
-    limits = {}
-    if model.fluid is not None:
-        h = 0.5 * model.support
-        viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
-        drag = 2.0 * 4.9633 * viscosity / (h * model.fluid.reference_density)
-        limits["sound and viscosity (7.6)"] = 0.5 * h / (model.fluid.sound_speed + drag)
-        if model.surface_tension is not None:
-            inertia = model.fluid.reference_density * h**3 / (2.0 * np.pi * model.surface_tension.coefficient)
-            limits["surface tension"] = 0.25 * float(np.sqrt(inertia))
-    if model.elasticity is not None:
-        if model.fluid is not None:
-            wave = np.hypot(model.elasticity.wave_speed(model.fluid.reference_density), model.fluid.sound_speed)
-        else:
-            wave = max(model.elasticity.wave_speed(model.materials[m].density) for m in moving)
-        limits["elastic wave"] = 0.5 * model.spacing / wave
-    return limits
+
+    longest: float
+    heat_every: int
+    limits: Limits
+    with_heat: bool
+
+    def fitted(self, output_interval: float) -> tuple[float, int]:
+        """Time step [s] and number of cycles of ``heat_every`` steps that fill an output interval [s]."""
+        cycles = max(int(np.ceil(output_interval / (self.heat_every * self.longest) - 1e-9)), 1)
+        return output_interval / cycles / self.heat_every, cycles
 
 
-def conduction_limits(model: Model) -> dict[str, float]:
-    """Largest stable conduction steps [s] by pair of materials, and the longest interval asked for.
+def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_factor: float) -> StepPlan:
+    """The longest steps that all terms allow, or those asked for.
 
-    Vijaykumar (2012), equation (7.7) with zeta = 0.1 and the support H, for the conductivity that the pair has.
+    Args:
+        model: composed.
+        moving: indices of the materials that move.
+        dt: time step asked for [s]; one that is too long is refused.
+        step_factor: what the limits of flow and solids are multiplied by.
+
+    Raises:
+        InputError: ``dt`` is too long, or nothing limits the step and none was given.
     """
-    limits = {"longest interval": model.conduction.longest_interval}
-    for a, material in enumerate(model.materials):
-        capacity = float(np.min(np.diff(material.enthalpies) / np.diff(material.temperatures)))
-        for b, other in enumerate(model.materials):
-            conductivity = model.conduction.contact.get((min(a, b), max(a, b)))
-            if conductivity is None:
-                conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
-            if conductivity > 0.0:
-                limits[f"conduction {material.name}-{other.name} (7.7)"] = (
-                    0.1 * material.density * capacity * model.support**2 / conductivity
-                )
-    return limits
+    terms: list[Term] = list(model.terms)
+    steps: Limits = {}
+    intervals: Limits = {}
+    for term in terms:
+        steps |= term.longest_steps(model, moving)
+        intervals |= term.longest_intervals(model)
+    steps = {reason: step_factor * limit for reason, limit in steps.items()}
+    heat_every = 1
+    if intervals and not steps:
+        steps = intervals
+        longest = _choose(dt, steps)
+    else:
+        longest = _choose(dt, steps)
+        if intervals:
+            shortest = min(intervals.values())
+            heat_every = max(int(shortest / longest), 1)
+            longest = min(longest, shortest)
+    if not np.isfinite(longest):
+        raise InputError("dt: nothing limits the time step of this case; give one")
+    return StepPlan(longest, heat_every, steps, bool(intervals))
 
 
-def _highest_conductivity(material: Material) -> float:
-    return max(material.conductivity_solid, material.conductivity_liquid)
+def listed(limits: Limits) -> str:
+    """The limits in one line."""
+    return ", ".join(f"{reason} {limit:.3g} s" for reason, limit in limits.items())
 
 
-def _harmonic(a: float, b: float) -> float:
-    return 2.0 * a * b / (a + b) if a + b > 0.0 else 0.0
+def _choose(dt: float | None, limits: Limits) -> float:
+    longest = min(limits.values(), default=np.inf)
+    if dt is None:
+        return longest
+    if dt > longest * (1.0 + 1e-9):
+        raise InputError(f"time step {dt:.3g} s is too long; limits: {listed(limits)}")
+    return dt

@@ -6,18 +6,18 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Fluid, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
+from warpsph.terms import ContinuityDensity, Fluid
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
 def test_expansion(dimension, device):
     """Otherwise the density would not follow the volume, or a free surface would lower it."""
     rate, dt, cells = 3.0, 1e-3, 21 if dimension == 2 else 13
-    model = Model(
-        dimension, 0.01, (inert("liquid", 1000.0),), gravity=(0.0, 0.0, 0.0), fluid=Fluid(1000.0, 1.0, continuity=True)
-    )
+    terms = (Fluid(1000.0, 1.0), ContinuityDensity())
+    model = Model(dimension, 0.01, (inert("liquid", 1000.0),), terms, gravity=(0.0, 0.0, 0.0))
     x = lattice((-0.005 * cells,) * dimension, (0.005 * cells,) * dimension, 0.01)
     particles = Particles()
     particles.add(x, Role.FREE, velocity=rate * x)

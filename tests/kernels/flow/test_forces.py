@@ -6,9 +6,10 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Fluid, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.run.simulation import Simulation
+from warpsph.terms import Fluid, SummedDensity
 
 SPACING = 0.05
 DENSITY = 2100.0
@@ -26,11 +27,11 @@ def block(device: str, dimension: int, jitter: float = 0.0, viscosity: float = 3
         dimension,
         SPACING,
         (inert("fluid", DENSITY, viscosity),),
+        (Fluid(DENSITY, 10.0, tension=True), SummedDensity()),
         gravity=(0.0, 0.0, 0.0),
-        fluid=Fluid(DENSITY, 10.0, tension=True),
     )
     simulation = Simulation(Executor(device), model, particles)
-    simulation.solver.prepare()
+    simulation.prepare()
     return simulation
 
 
@@ -54,7 +55,7 @@ def test_linear_pressure_gives_its_gradient(device, dimension):
     x = simulation.state.numpy("position")
     slope = np.array([3.0e3, -2.0e3, 0.0])
     simulation.state.pressure.assign((1.0e4 + x @ slope).astype(np.float32))
-    simulation.solver._find_forces()
+    simulation.solver._at("sum_forces")
     acceleration = simulation.state.numpy("acceleration")[inner(simulation)]
     assert np.allclose(acceleration, -slope / DENSITY, atol=1e-4 * np.max(slope) / DENSITY)
 
@@ -76,7 +77,7 @@ def test_viscosity_of_a_parabolic_profile(device, dimension):
     velocity[:, 0] = 0.5 * x[:, 1] ** 2
     simulation.state.velocity.assign(velocity)
     simulation.state.pressure.zero_()
-    simulation.solver._find_forces()
+    simulation.solver._at("sum_forces")
     acceleration = simulation.state.numpy("acceleration")[inner(simulation)]
     expected = 3.0 / DENSITY
     assert np.allclose(acceleration[:, 0], expected, rtol=1e-4)
@@ -89,6 +90,6 @@ def test_momentum_is_kept(device, dimension):
     simulation = block(device, dimension, jitter=0.3)
     velocity = np.random.default_rng(2).normal(size=(simulation.state.count, 3))
     simulation.state.velocity.assign(velocity.astype(np.float32))
-    simulation.solver._find_forces()
+    simulation.solver._at("sum_forces")
     force = simulation.state.numpy("acceleration").astype(float) * simulation.state.numpy("mass")[:, None]
     assert np.max(np.abs(force.sum(axis=0))) < 1e-5 * np.sum(np.abs(force))

@@ -5,28 +5,20 @@ import pytest
 import warp as wp
 from scipy.spatial import cKDTree
 
-from warpsph.core.constants import surface_constants
+from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.model import Fluid, Model, SurfaceTension
-from warpsph.kernels.basics.smoothing import normalisation
-from warpsph.kernels.flow.colour_field_tension import ColourField, add_colour_field_tension
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.state import State
+from warpsph.core.term import Term
+from warpsph.kernels.flow.colour_field_tension import add_colour_field_tension
 from warpsph.kernels.flow.surface_tension import add_surface_tension, find_surface_normal
 from warpsph.kernels.neighbours.pairs import NeighbourList
+from warpsph.terms import ColourFieldTension, Fluid, SurfaceTension
 
 SPACING = 0.01
 TENSION = 1.7
 DENSITY = 7000.0
-SUPPORT = 2.6 * SPACING
-
-
-class Launcher:
-    """The part of an executor that a launcher of kernels needs."""
-
-    def __init__(self, device: str):
-        self.device = device
-
-    def __call__(self, kernel, dim, inputs):
-        wp.launch(kernel, dim=dim, inputs=[0, *inputs], device=self.device)
 
 
 def neighbour_list(x: np.ndarray, support: float, device: str) -> NeighbourList:
@@ -41,49 +33,43 @@ def neighbour_list(x: np.ndarray, support: float, device: str) -> NeighbourList:
     return neighbours
 
 
+def launch_of(
+    term: Term, x: np.ndarray, dimension: int, support_ratio: float, device: str, role=None, phase=None
+) -> Launch:
+    """Launches kernels of a term over liquid particles, free unless said otherwise, at rest at ``x`` (n, 3) [m]."""
+    executor, n = Executor(device, 1), len(x)
+    model = Model(dimension, SPACING, (), (Fluid(DENSITY, 10.0), term), support_ratio)
+    roles = np.full(n, Role.FREE) if role is None else role
+    phases = np.full(n, Phase.LIQUID) if phase is None else phase
+    arrays = {
+        "neighbours": neighbour_list(x, model.support, device),
+        "position": wp.array(x, dtype=wp.vec3, device=device),
+        "fluid_mass": wp.full(n, DENSITY * SPACING**dimension, dtype=float, device=device),
+        "density": wp.full(n, DENSITY, dtype=float, device=device),
+        "volume": wp.full(n, SPACING**dimension, dtype=float, device=device),
+        "role": wp.array(roles, dtype=int, device=device),
+        "phase": wp.array(phases, dtype=int, device=device),
+        "surface_normal": wp.zeros(n, dtype=wp.vec3, device=device),
+        "acceleration": wp.zeros(n, dtype=wp.vec3, device=device),
+    }
+    return Launch(executor, n, term.constants(model, State(n, executor.device)), arrays)
+
+
 def force_of(x: np.ndarray, dimension: int, device: str, role=None, phase=None) -> np.ndarray:
     """Force (n, 3) [N] on each particle of a lattice (per metre of depth in 2D)."""
-    model = Model(
-        dimension,
-        SPACING,
-        (),
-        support_ratio=3.0,
-        fluid=Fluid(DENSITY, 10.0, continuity=True),
-        surface_tension=SurfaceTension(TENSION),
-    )
-    surface, neighbours, launch = surface_constants(model), neighbour_list(x, model.support, device), Launcher(device)
-    n, mass = len(x), DENSITY * SPACING**dimension
-    position = wp.array(x, dtype=wp.vec3, device=device)
-    fluid_mass = wp.full(n, mass, dtype=float, device=device)
-    role = wp.array(np.full(n, int(Role.FREE)) if role is None else role, dtype=int, device=device)
-    phase = wp.array(np.full(n, int(Phase.LIQUID)) if phase is None else phase, dtype=int, device=device)
-    normal, acceleration = (wp.zeros(n, dtype=wp.vec3, device=device) for _ in range(2))
-    find_surface_normal(launch, surface, neighbours, position, fluid_mass, role, phase, normal)
-    add_surface_tension(launch, surface, neighbours, position, fluid_mass, normal, acceleration)
-    return mass * acceleration.numpy().astype(float)
+    launch = launch_of(SurfaceTension(TENSION), x, dimension, 3.0, device, role, phase)
+    launch(find_surface_normal)
+    launch(add_surface_tension)
+    return DENSITY * SPACING**dimension * launch.find("acceleration").numpy().astype(float)
 
 
-def published_acceleration_of(x: np.ndarray, dimension: int, device: str, role=None, support=SUPPORT) -> np.ndarray:
+def published_acceleration_of(
+    x: np.ndarray, dimension: int, device: str, role=None, support_ratio: float = 2.6
+) -> np.ndarray:
     """Acceleration (n, 3) [m/s^2] by Vijaykumar (2.10)."""
-    field = ColourField()
-    field.support, field.dimension, field.tension = support, dimension, TENSION
-    field.scale = normalisation("poly6", dimension, support)
-    field.threshold = 0.2 / support
-    n = len(x)
-    labels = np.zeros(n, dtype=np.int32)
-    acceleration = wp.zeros(n, dtype=wp.vec3, device=device)
-    add_colour_field_tension(
-        Launcher(device),
-        field,
-        neighbour_list(x, support, device),
-        wp.array(x, dtype=wp.vec3, device=device),
-        wp.full(n, DENSITY, dtype=float, device=device),
-        wp.full(n, SPACING**dimension, dtype=float, device=device),
-        wp.array(labels if role is None else role, dtype=int, device=device),
-        wp.array(labels, dtype=int, device=device),
-        acceleration,
-    )
-    return acceleration.numpy().astype(float)
+    launch = launch_of(ColourFieldTension(TENSION, threshold=0.2), x, dimension, support_ratio, device, role)
+    launch(add_colour_field_tension)
+    return launch.find("acceleration").numpy().astype(float)
 
 
 def lattice(dimension: int, cells: int) -> np.ndarray:
@@ -179,7 +165,7 @@ def test_published_form_pulls_on_a_flat_surface(device):
     """
     support = 6.0 * SPACING
     x = lattice(2, 61)
-    a = published_acceleration_of(x, 2, device, support=support)
+    a = published_acceleration_of(x, 2, device, support_ratio=6.0)
     column = (np.abs(x[:, 0]) < 0.5 * SPACING) & (x[:, 1] > 0.0)
     pull = -a[column, 1].sum() * DENSITY * SPACING
     slope = 4.0 / (np.pi * support**8) * 32.0 / 35.0 * support**7

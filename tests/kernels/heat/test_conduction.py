@@ -6,9 +6,10 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import COPPER, Material, melting_material
-from warpsph.core.model import Conduction, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
+from warpsph.terms import Conduction, contact_conductivity
 
 SPACING = 0.01
 STEEL = melting_material(
@@ -32,11 +33,12 @@ def bar(
     x = lattice((0.0,) * dimension, size, SPACING)
     particles = Particles()
     right = x[:, 0] > 0.5 * size[0]
-    for index, mine in enumerate((~right, right)):
+    for half, mine in enumerate((~right, right)):
         value = temperature(x[mine])
         edge = held & ((x[mine, 0] < 3 * SPACING) | (x[mine, 0] > size[0] - 3 * SPACING))
-        particles.add(x[mine], Role.FREE, index if split else 0, value, held=edge)
-    model = Model(dimension, SPACING, materials, conduction=Conduction(contact or {}, longest_interval=1e9))
+        material = materials[half if split else 0].name
+        particles.add(x[mine], Role.FREE, material, temperature=value, held=edge)
+    model = Model(dimension, SPACING, materials, (Conduction(contact or {}, longest_interval=1e9),))
     return Simulation(Executor(device), model, particles)
 
 
@@ -70,8 +72,8 @@ def test_linear_profile_carries_fouriers_flux(device):
     """A wrong factor here is a wrong time for everything to freeze."""
     slope = 1.0e3
     simulation = bar(device, lambda x: 1000.0 + slope * x[:, 0])
-    simulation.solver.prepare()
-    simulation.solver._conduct(1.0)
+    simulation.prepare()
+    simulation.solver._at("sum_heat")
     s = simulation.state
     x, rate = s.numpy("position")[:, 0], s.numpy("heat_rate")
     away_from_the_ends = np.abs(x - 20 * SPACING) < 10 * SPACING
@@ -96,8 +98,8 @@ def test_flux_is_continuous_at_a_jump_of_conductivity(device):
         return np.where(s < 0.5, 1000.0 + (middle - 1000.0) * 2.0 * s, middle + (900.0 - middle) * (2.0 * s - 1.0))
 
     simulation = bar(device, profile, materials=(poor, good), split=True)
-    simulation.solver.prepare()
-    simulation.solver._conduct(1.0)
+    simulation.prepare()
+    simulation.solver._at("sum_heat")
     s = simulation.state
     x = s.numpy("position")[:, 0]
     through = (1000.0 - middle) / (0.5 * length) * k_poor * 12 * SPACING
@@ -109,11 +111,11 @@ def test_contact_conductance(device):
     """The shell in the mould grows by this number."""
     conductance = 1500.0
     plain = Model(2, SPACING, (STEEL, COPPER))
-    contact = {(0, 1): plain.contact_conductivity(conductance)}
+    contact = {(STEEL.name, COPPER.name): contact_conductivity(plain, conductance)}
     halves = lambda x: np.where(x[:, 0] > 20 * SPACING, 400.0, 1400.0)  # noqa: E731
     simulation = bar(device, halves, materials=(STEEL, COPPER), split=True, contact=contact)
-    simulation.solver.prepare()
-    simulation.solver._conduct(1.0)
+    simulation.prepare()
+    simulation.solver._at("sum_heat")
     s = simulation.state
     gained = float(np.sum(s.numpy("heat_rate")[middle_rows(s) & (s.numpy("material") == 1)]))
     assert gained == pytest.approx(conductance * 1000.0 * MIDDLE_HEIGHT, rel=1e-3)
@@ -136,7 +138,7 @@ def test_temperature_follows_the_curve_through_melting(device):
     simulation = bar(device, lambda x: np.full(len(x), 1600.0))
     enthalpy = np.linspace(STEEL.enthalpy(1500.0), STEEL.enthalpy(1900.0), simulation.state.count)
     simulation.state.enthalpy.assign(enthalpy.astype(np.float32))
-    simulation.solver._find_temperature()
+    simulation.solver._at("find_temperature")
     expected = STEEL.temperature(enthalpy)
     assert np.allclose(simulation.state.numpy("temperature"), expected, atol=0.01)
     assert np.allclose(simulation.state.numpy("solid_fraction"), np.clip((1750.0 - expected) / 50.0, 0, 1), atol=1e-3)

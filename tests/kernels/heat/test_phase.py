@@ -5,35 +5,41 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert
-from warpsph.core.model import Elasticity, Fluid, Model, PhaseChange
+from warpsph.core.materials import thesis_steel
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
+from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity
 
 SPACING = 0.01
+STEEL = thesis_steel()
 
 
 def block(device: str, dimension: int) -> Simulation:
     particles = Particles()
-    particles.add(lattice((0.0,) * dimension, (8 * SPACING,) * dimension, SPACING), Role.FREE)
+    x = lattice((0.0,) * dimension, (8 * SPACING,) * dimension, SPACING)
+    particles.add(x, Role.FREE, temperature=STEEL.liquidus + 100.0)
     model = Model(
         dimension,
         SPACING,
-        (inert("steel", 2100.0),),
+        (STEEL,),
+        (
+            Fluid(2100.0, 10.0),
+            SummedDensity(),
+            Conduction(),
+            PhaseChange(freeze_above=0.55, melt_below=0.45),
+            Elasticity(1e5, 0.3),
+        ),
         gravity=(0.0, 0.0, 0.0),
-        fluid=Fluid(2100.0, 10.0),
-        phase_change=PhaseChange(freeze_above=0.55, melt_below=0.45),
-        elasticity=Elasticity(1e5, 0.3),
     )
     simulation = Simulation(Executor(device), model, particles)
-    simulation.state.add("solid_fraction", np.zeros(len(particles)), float)
-    simulation.solver.prepare()
+    simulation.prepare()
     return simulation
 
 
 def set_solid(simulation: Simulation, fraction: np.ndarray) -> None:
     simulation.state.solid_fraction.assign(fraction.astype(np.float32))
-    simulation.solver._change_phase()
+    simulation.solver._at("change_phases")
 
 
 def bonds_of(simulation: Simulation) -> dict[tuple[int, int], np.ndarray]:
@@ -45,7 +51,7 @@ def bonds_of(simulation: Simulation) -> dict[tuple[int, int], np.ndarray]:
 
 
 def marked_pairs(simulation: Simulation) -> set[tuple[int, int]]:
-    rows = simulation.solver.neighbours.list
+    rows = simulation.state.neighbours
     entry, count = rows.entry.numpy(), rows.count.numpy()
     return {
         (i, -1 - int(e))
@@ -112,7 +118,7 @@ def test_bonds_survive_sorting(device):
     before = {(ids[i], ids[j]): tuple(v) for (i, j), v in bonds_of(simulation).items()}
     x = simulation.state.numpy("position")
     simulation.state.position.assign(x[:, [1, 0, 2]] * [-1.0, 1.0, 1.0] + [9 * SPACING, 0.0, 0.0])
-    simulation.solver.neighbours.outdated.fill_(1)
+    simulation.state.outdated.fill_(1)
     simulation.solver.neighbours.renew_if_outdated()
     ids_after = simulation.state.numpy("id")
     assert not np.array_equal(ids, ids_after)

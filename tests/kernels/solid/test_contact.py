@@ -6,9 +6,11 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Elasticity, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
+from warpsph.terms import Contact, Elasticity
+from warpsph.terms.contact import contact_constants
 
 DX = 0.01
 E = 1.0e6
@@ -20,9 +22,9 @@ def two_blocks(device: str, bodies: tuple[int, int] = (0, 1)) -> Simulation:
     for body, left in zip(bodies, (0.0, 1.0), strict=True):
         block = lattice((left, 0.0), (left + 4 * DX, 4 * DX), DX)
         particles.add(block, Role.FREE, phase=Phase.SOLID, body=body)
-    model = Model(2, DX, (inert("rubber", 1000.0),), elasticity=Elasticity(E, 0.3, contact=True), support_ratio=1.7)
+    model = Model(2, DX, (inert("rubber", 1000.0),), (Elasticity(E, 0.3), Contact()), support_ratio=1.7)
     simulation = Simulation(Executor(device), model, particles)
-    simulation.solver.prepare()
+    simulation.prepare()
     return simulation
 
 
@@ -30,10 +32,11 @@ def force(simulation: Simulation, x: np.ndarray) -> np.ndarray:
     """Contact forces (n, 3) in the order of the ids, for positions in that order."""
     state, solver = simulation.state, simulation.solver
     state.position.assign(x[state.numpy("id")].astype(np.float32))
-    solver.neighbours.outdated.fill_(1)
+    state.outdated.fill_(1)
     solver.neighbours.renew_if_outdated()
     state.acceleration.zero_()
-    solver._add_contact_forces()
+    ((contact, launch),) = [act for act in solver._acts["add_forces"] if isinstance(act[0], Contact)]
+    contact.add_forces(launch)
     order = np.argsort(state.numpy("id"))
     return (state.numpy("acceleration").astype(float) * state.numpy("mass")[:, None])[order]
 
@@ -55,7 +58,7 @@ def test_contact_pushes_apart_and_keeps_momentum(device):
 def test_contact_has_an_energy(device):
     """The work of pressing two bodies together must come back when they part."""
     simulation = two_blocks(device)
-    contact = simulation.solver.contact
+    contact = contact_constants(simulation.model)
 
     def energy(x: np.ndarray) -> float:
         r = np.linalg.norm(x[:16, None] - x[None, 16:], axis=2)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from warpsph.run.simulation import Result
+from warpsph.run.result import Result
 from warpsph.scenarios.breakout.breakout import Breakout
 from warpsph.scenarios.breakout.reckoning import remelting_delay
 
@@ -35,7 +35,17 @@ def result() -> Result:
         (12.5, "hole in the shell at 0.150 m, zone 3 (failed)"),
         (12.6, "melt runs out at 0.150 m, zone 3 (failed)"),
     ]
-    return Result(np.zeros((1, 3)), {"id": np.zeros(1, int)}, diagnostics, events, 18.0, 1, "complete", 0.0)
+    return Result(
+        positions=np.zeros((1, 3)),
+        fields={"id": np.zeros(1, int)},
+        diagnostics=diagnostics,
+        quantities={},
+        events=events,
+        time=18.0,
+        steps=1,
+        status="complete",
+        wall_time=0.0,
+    )
 
 
 def test_the_published_course_passes(result):

@@ -6,6 +6,7 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.errors import InputError
+from warpsph.machine import Spray
 from warpsph.scenarios.casting.casting import Casting
 
 COARSE = {"spacing": 0.004, "duration": 0.45, "output_interval": 0.15}
@@ -79,7 +80,6 @@ def test_failing_sprays_are_an_event_and_stop():
     simulation = case.build(Executor("cpu"))
     result = simulation.run(0.45, 0.15)
     assert result.events == [(0.2, "sprays fail in zone 1, 3")]
-    spray = simulation.solver.devices[-1]
-    first, second, third = spray.sprayed.numpy()
+    first, second, third = simulation.model.the(Spray).sprayed.numpy()
     assert first == third < second
     assert result.diagnostics["missing_water"][-1] == result.diagnostics["missing_melt"][-1] == 0

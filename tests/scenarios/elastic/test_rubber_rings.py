@@ -18,7 +18,7 @@ def test_rings_bounce_and_stay_whole(device):
     """Rings that stick, break, drift or lose energy would show that contact or elasticity is wrong."""
     scenario = RubberRings(layers=4)
     simulation = scenario.build(Executor(device, 1))
-    simulation.solver.prepare()
+    simulation.prepare()
     before = bonds(simulation)
     result = simulation.run(scenario.duration, scenario.output_interval)
     inner = outer = len(result.positions) // 2  # of four layers

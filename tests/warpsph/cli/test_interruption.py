@@ -29,7 +29,7 @@ def test_ctrl_c_keeps_what_has_been_simulated(tmp_path: Path):
     ]
     command = [sys.executable, "-c", PROGRAM, *words]
     with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        next(line for line in process.stderr if line.startswith("heat_gaussian"))
+        next(line for line in process.stderr if line.startswith("heat_gaussian "))  # the progress
         process.send_signal(signal.SIGINT)
         output, _ = process.communicate()
     assert process.returncode == 130

@@ -42,6 +42,7 @@ def test_info(warpsph_command):
         f"version {version('warpsph')}",
         "count 2",
         "device cpu",
+        "threads 2",
         "status complete",
         "frames 6, from 0 to 0.5 s",
         "particles in the last 3",
@@ -50,6 +51,7 @@ def test_info(warpsph_command):
         "0.5 s the last drop froze",
     ):
         assert part in text
+    assert text.index("level 0.4") < text.index("profile 3 values")
 
 
 @pytest.mark.parametrize("words", [[], ["--help"], ["run", "--help"], ["verify", "-h"]])

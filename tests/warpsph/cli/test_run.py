@@ -16,6 +16,7 @@ def test_default_preset_and_default_output(warpsph_command):
     assert result.parameters["scenario"] == "ingot"
     assert (result.parameters["count"], result.parameters["duration"]) == (2, 0.5)
     assert "level" in outcome.output
+    assert re.search(r"computed on +cpu, 2 threads", outcome.output)
     assert re.search(r"at 0\.5 s +the last drop froze", outcome.output)
     assert "warpsph render results/ingot-small.vtkhdf" in outcome.output
 
@@ -80,6 +81,13 @@ def test_progress_on_a_pipe_is_plain_lines(warpsph_command):
     assert "\x1b" not in error
     assert error.splitlines()[-1].startswith("ingot 100%  0.500/0.5 s  100 steps/s")
     assert "level 0.400 m" in error
+
+
+def test_device_and_threads_are_named_before_the_run(warpsph_command):
+    """If it failed, nobody would know that hours are spent on the wrong device, or on one core of many."""
+    error = warpsph_command("run", "ingot", "--device", "cpu", "--threads", "1").error
+    assert error.splitlines()[0] == "ingot: computing on cpu, 1 thread"
+    assert error.count("computing on") == 1
 
 
 def test_quiet_says_nothing(warpsph_command):

@@ -125,8 +125,21 @@ def test_existing_result_is_kept(warpsph_command, tmp_path: Path):
     target.write_bytes(b"precious")
     outcome = warpsph_command("run", "ingot", "--output", "kept.vtkhdf")
     assert outcome.code == 2
+    assert outcome.error.count("\n") == 1
     assert "--overwrite" in outcome.error
     assert target.read_bytes() == b"precious"
+
+
+@pytest.mark.parametrize(
+    "words", [["run", "ingot", "--overwrite"], ["render", "absent.vtkhdf", "--movie"]], ids=lambda words: words[0]
+)
+def test_a_folder_is_no_output(warpsph_command, tmp_path: Path, words: list[str]):
+    """If it failed, a folder with the name of a file would be noticed only after everything has been computed."""
+    name = "out.vtkhdf" if words[0] == "run" else "out.mp4"
+    (tmp_path / name).mkdir()
+    outcome = warpsph_command(*words, "--output", name)
+    assert outcome.code == 2
+    assert outcome.error == f"warpsph: --output '{name}': is a folder; give the name of a file\n"
 
 
 def test_results_folder_that_cannot_be_made(warpsph_command, tmp_path: Path):

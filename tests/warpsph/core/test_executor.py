@@ -9,10 +9,11 @@ import warp as wp
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Fluid, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.errors import InputError
 from warpsph.run.simulation import Simulation
+from warpsph.terms import Fluid, SummedDensity
 
 
 def collapsing_column(executor: Executor) -> Simulation:
@@ -20,7 +21,7 @@ def collapsing_column(executor: Executor) -> Simulation:
     particles = Particles()
     particles.add(lattice((0.0, 0.0), (0.2, 0.4), dx), Role.FREE)
     particles.add(tank((0.0, 0.0), (0.6, 0.5), dx), Role.DUMMY)
-    model = Model(2, dx, (inert("water", 1000.0, viscosity=0.5),), fluid=Fluid(1000.0, 30.0))
+    model = Model(2, dx, (inert("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
     return Simulation(executor, model, particles)
 
 
@@ -37,13 +38,14 @@ def test_recorded_steps_are_the_steps(device):
     """A recording that loses a launch or a condition would simulate something else."""
     direct, recorded = (collapsing_column(Executor(device)) for _ in range(2))
     for simulation in (direct, recorded):
-        simulation.solver.prepare()
+        simulation.solver.set_steps(simulation.plan.longest, simulation.plan.longest)
+        simulation.prepare()
     recording = recorded.executor.record(recorded.solver.step)
     for _ in range(200):
         direct.solver.step()
     recorded.executor.replay([(recording, 200)])
-    assert direct.solver.neighbours.renewals.numpy()[0] > 1
-    for name in direct.state.per_particle:
+    assert direct.state.renewals.numpy()[0] > 1
+    for name in direct.state.arrays:
         assert np.array_equal(direct.state.numpy(name), recorded.state.numpy(name)), name
 
 

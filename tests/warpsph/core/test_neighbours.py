@@ -3,8 +3,11 @@
 import numpy as np
 import pytest
 
+from warpsph.core.composition import compose
 from warpsph.core.executor import Executor
+from warpsph.core.initial import initial_state
 from warpsph.core.labels import Role
+from warpsph.core.launch import Launch
 from warpsph.core.materials import inert
 from warpsph.core.model import Model
 from warpsph.core.neighbours import Neighbours
@@ -35,22 +38,21 @@ def points(kind: str, dimension: int) -> np.ndarray:
     return box.astype(np.float32)
 
 
-def renewed(executor: Executor, x: np.ndarray, role: np.ndarray | None = None) -> tuple[State, Neighbours]:
+def renewed(executor: Executor, x: np.ndarray, role: Role | np.ndarray = Role.FREE) -> State:
+    """The state of particles at ``x`` (n, 3) [m] that have just been sorted and listed."""
     particles = Particles()
-    particles.add(x, Role.FREE)
-    if role is not None:
-        particles.role[:] = role
+    particles.add(x, role)
     dimension = 2 if np.all(x[:, 2] == 0.0) else 3
-    model = Model(dimension, SPACING, (inert("fluid", 1000.0),))
-    state = State(particles, model, executor.device)
+    model = compose(Model(dimension, SPACING, (inert("fluid", 1000.0),)))
+    state = initial_state(model, particles, executor.device)
+    launch = Launch(executor, state.count, state.arrays, state.values, state.lists, state.scratch)
     lower, upper = np.percentile(x, 5, axis=0), np.percentile(x, 95, axis=0)
-    neighbours = Neighbours(executor, state, 0.26, 0.03, lower, upper, dimension, 1, SPACING)
-    neighbours.renew_if_outdated()
-    return state, neighbours
+    Neighbours(launch, model, state, 0.26, 0.03, lower, upper).renew_if_outdated()
+    return state
 
 
-def pairs_of(neighbours: Neighbours) -> set[tuple[int, int]]:
-    rows = neighbours.list
+def pairs_of(state: State) -> set[tuple[int, int]]:
+    rows = state.neighbours
     entry, count = rows.entry.numpy(), rows.count.numpy()
     return {
         (i, int(entry[i * rows.row_stride + k * rows.entry_stride])) for i in range(len(count)) for k in range(count[i])
@@ -68,15 +70,15 @@ def brute_force(x: np.ndarray) -> set[tuple[int, int]]:
 @pytest.mark.parametrize("kind", ["random", "lattice", "coincident", "negative", "outside the grid"])
 def test_list_is_what_brute_force_finds(device, kind, dimension):
     """A missing or doubled pair would make forces one-sided and densities wrong."""
-    state, neighbours = renewed(Executor(device), points(kind, dimension))
-    assert pairs_of(neighbours) == brute_force(state.numpy("position"))
-    assert neighbours.longest_row.numpy()[0] == 0
+    state = renewed(Executor(device), points(kind, dimension))
+    assert pairs_of(state) == brute_force(state.numpy("position"))
+    assert state.longest_row.numpy()[0] == 0
 
 
 def test_particles_keep_their_data_when_sorted(device):
     """Arrays that did not move together would exchange the properties of particles."""
     x = points("random", 2)
-    state, _ = renewed(Executor(device), x)
+    state = renewed(Executor(device), x)
     assert np.array_equal(state.numpy("position"), x[state.numpy("id")])
     assert np.array_equal(np.sort(state.numpy("id")), np.arange(len(x)))
 
@@ -85,17 +87,17 @@ def test_reservoir_stands_last_and_has_no_neighbours(device):
     """A parked particle that still acts on others, or that the inlet cannot find, would break the mass ledger."""
     x = points("lattice", 2)
     role = np.where(np.arange(len(x)) % 5 == 0, Role.RESERVOIR, Role.FREE)
-    state, neighbours = renewed(Executor(device), x, role)
-    start, end = neighbours.reservoir_start.numpy()
+    state = renewed(Executor(device), x, role)
+    start, end = state.reservoir_start.numpy()
     assert np.all(state.numpy("role")[start:end] == Role.RESERVOIR)
     assert np.all(state.numpy("role")[:start] == Role.FREE)
     assert end == len(x)
-    assert all(i < start and j < start for i, j in pairs_of(neighbours))
+    assert all(i < start and j < start for i, j in pairs_of(state))
 
 
 def test_a_row_that_overflows_is_reported(device):
     """A silently shortened list would lose forces without anyone knowing."""
     x = points("random", 2)
     x[:200] *= 0.05
-    _, neighbours = renewed(Executor(device), x)
-    assert neighbours.longest_row.numpy()[0] > neighbours.list.capacity
+    state = renewed(Executor(device), x)
+    assert state.longest_row.numpy()[0] > state.neighbours.capacity

@@ -157,9 +157,20 @@ def test_inconsistent_frames_are_refused(tmp_path):
             writer.write_frame(0.5, points, without_id)
         with pytest.raises(ValueError, match="rows of each of"):
             writer.write_frame(0.5, points[:-1], fields)
+
+
+def test_diagnostics_that_come_and_go(tmp_path):
+    """If it failed, what was not measured once would shift the later values to earlier times."""
+    path = tmp_path / "run.vtkhdf"
+    with ResultWriter(path, {}, {}) as writer:
         writer.write_diagnostics(0.0, {"level": 1.0})
-        with pytest.raises(ValueError, match="same names"):
-            writer.write_diagnostics(0.5, {"depth": 1.0})
+        writer.write_diagnostics(0.5, {"depth": 2.0, "profile": np.arange(3.0)})
+        writer.write_diagnostics(1.0, {"level": 3.0, "depth": 4.0})
+    diagnostics, nan = ResultFile(path).diagnostics, np.nan
+    np.testing.assert_array_equal(diagnostics["time"], [0.0, 0.5, 1.0])
+    np.testing.assert_array_equal(diagnostics["level"], [1.0, nan, 3.0])
+    np.testing.assert_array_equal(diagnostics["depth"], [nan, 2.0, 4.0])
+    np.testing.assert_array_equal(diagnostics["profile"], [[nan] * 3, [0.0, 1.0, 2.0], [nan] * 3])
 
 
 def test_write_error_is_one_line(path, monkeypatch):

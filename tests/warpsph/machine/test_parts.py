@@ -1,4 +1,4 @@
-"""Boundary devices, each alone on a few particles."""
+"""Parts of a machine, each alone on a few particles."""
 
 import numpy as np
 import pytest
@@ -6,27 +6,26 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import COPPER, WATER, thesis_steel
-from warpsph.core.model import Conduction, Fluid, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.machine import Inlet, LevelGauge, OscillatingMould, Outflow, Spray, SprayZone, SymmetryPlane
 from warpsph.run.simulation import Simulation
+from warpsph.terms import Conduction, Fluid, SummedDensity
 
 SPACING = 0.01
 SPEED = 0.05
 TOP, MOUTH = 0.2, 0.15
 
 
-def simulation_of(device: str, particles: Particles, devices) -> Simulation:
+def simulation_of(device: str, particles: Particles, parts) -> Simulation:
     model = Model(
         2,
         SPACING,
         (thesis_steel(), COPPER, WATER),
+        (Fluid(2100.0, 10.0), SummedDensity(), Conduction({("water", "water"): 0.0})),
         gravity=(0.0, -1e-12, 0.0),
-        fluid=Fluid(2100.0, 10.0),
-        conduction=Conduction({(2, 2): 0.0}),
     )
-    simulation = Simulation(Executor(device), model, particles, devices=devices)
-    return simulation
+    return Simulation(Executor(device), model, particles, parts=parts)
 
 
 def gauge() -> LevelGauge:
@@ -36,7 +35,7 @@ def gauge() -> LevelGauge:
 def test_mould_moves_as_a_sine(device):
     """Negative strip and friction depend on the stroke and its phase."""
     particles = Particles()
-    particles.add(lattice((0.0, 0.0), (0.03, 0.05), SPACING), Role.WALL, 1)
+    particles.add(lattice((0.0, 0.0), (0.03, 0.05), SPACING), Role.WALL, "copper")
     simulation = simulation_of(device, particles, [OscillatingMould(stroke=0.006, frequency=1.5)])
     start = particles.position[:, 1]
     for until in (0.1, 1.0 / 6.0, 0.5):
@@ -50,7 +49,7 @@ def test_mould_moves_as_a_sine(device):
 def test_symmetry_plane_reflects(device):
     """What leaks through the axis of the strand is lost."""
     particles = Particles()
-    particles.add(np.array([[0.004, 0.0, 0.0]]), Role.FREE, 0, 1900.0, (-0.5, 0.1, 0.0))
+    particles.add(np.array([[0.004, 0.0, 0.0]]), Role.FREE, "steel", temperature=1900.0, velocity=(-0.5, 0.1, 0.0))
     simulation = simulation_of(device, particles, [SymmetryPlane((1.0, 0.0, 0.0), 0.0)])
     simulation.run(0.02, 0.02)
     s = simulation.snapshot()
@@ -62,7 +61,12 @@ def test_a_solid_slides_along_its_plane_of_symmetry(device):
     """A shell whose edge leaves the plane lets melt through; its mirror image would hold it."""
     particles = Particles()
     particles.add(
-        np.array([[0.005, 0.0, 0.0], [0.015, 0.1, 0.0]]), Role.FREE, 0, 300.0, (0.5, 0.1, 0.0), phase=Phase.SOLID
+        np.array([[0.005, 0.0, 0.0], [0.015, 0.1, 0.0]]),
+        Role.FREE,
+        "steel",
+        temperature=300.0,
+        velocity=(0.5, 0.1, 0.0),
+        phase=Phase.SOLID,
     )
     simulation = simulation_of(device, particles, [SymmetryPlane((1.0, 0.0, 0.0), 0.0)])
     simulation.run(0.02, 0.02)
@@ -77,14 +81,19 @@ def nozzle_and_strand(device: str, reserve: int = 60, strand_rows: int = 4) -> S
     row = lattice((0.0, 0.0), (3 * SPACING, SPACING), SPACING)
     row[:, 1] = TOP
     filling = np.concatenate([row - np.array([0.0, k * SPACING, 0.0]) for k in range(5)])
-    particles.add(filling, Role.INFLOW, 0, 1933.0)
-    particles.add(lattice((0.0, -strand_rows * SPACING), (3 * SPACING, 0.0), SPACING), Role.OUTFLOW, 0, 1700.0)
-    particles.add(np.tile([[0.0, TOP, 0.0]], (reserve, 1)), Role.RESERVOIR, 0, 1933.0)
+    particles.add(filling, Role.INFLOW, "steel", temperature=1933.0)
+    strand = lattice((0.0, -strand_rows * SPACING), (3 * SPACING, 0.0), SPACING)
+    particles.add(strand, Role.OUTFLOW, "steel", temperature=1700.0)
+    particles.add(np.tile([[0.0, TOP, 0.0]], (reserve, 1)), Role.RESERVOIR, "steel", temperature=1933.0)
     level = gauge()
     return simulation_of(
         device,
         particles,
-        [level, Outflow(level, 0.0, -4 * SPACING, 1.0), Inlet(level, row, (0.0, -1.0, 0.0), TOP - MOUTH, 1933.0)],
+        [
+            level,
+            Outflow(level, 0.0, -4 * SPACING, 1.0),
+            Inlet(level, row, (0.0, -1.0, 0.0), TOP - MOUTH, 1933.0, "steel"),
+        ],
     )
 
 
@@ -120,14 +129,13 @@ def test_an_empty_reservoir_is_counted(device):
     """Melt that silently fails to arrive would look like a falling level."""
     simulation = nozzle_and_strand(device, reserve=4, strand_rows=0)
     simulation.run(0.9, 0.9)
-    inlet = simulation.solver.devices[-1]
-    assert inlet.missing.numpy()[0] > 0
+    assert simulation.model.the(Inlet).missing.numpy()[0] > 0
 
 
 def test_outflow_speed_is_proportional_to_the_level(device):
     """v = k p is what keeps the machine at its level."""
     particles = Particles()
-    particles.add(lattice((0.0, 0.0), (0.2, 0.05), SPACING), Role.FREE, 0, 1900.0)
+    particles.add(lattice((0.0, 0.0), (0.2, 0.05), SPACING), Role.FREE, "steel", temperature=1900.0)
     level = LevelGauge((0.0, 0.0, -1.0), (0.2, 1.0, 1.0), 0.1, SPEED, area_ratio=2.0, gain=10.0, response=1e-9)
     simulation = simulation_of(device, particles, [level])
     simulation.run(0.005, 0.005)
@@ -140,13 +148,12 @@ def test_outflow_speed_is_proportional_to_the_level(device):
 def test_spray_boils_and_returns(device):
     """Water that never boils cools for nothing; water that is not counted is heat from nowhere."""
     particles = Particles()
-    particles.add(lattice((0.0, 0.0), (0.05, 0.2), SPACING), Role.WALL, 1, 600.0)
+    particles.add(lattice((0.0, 0.0), (0.05, 0.2), SPACING), Role.WALL, "copper", temperature=600.0)
     wall_capacity = 387.0
-    particles.add(
-        np.tile([[0.1, 0.0, 0.0]], (40, 1)), Role.RESERVOIR, 2, 300.0, flows=False, volume=1e-3 / WATER.density
-    )
+    parked, volume = np.tile([[0.1, 0.0, 0.0]], (40, 1)), 1e-3 / WATER.density
+    particles.add(parked, Role.RESERVOIR, "water", temperature=300.0, flows=False, volume=volume)
     zones = [SprayZone(0.0, 0.1, rate=20.0), SprayZone(0.1, 0.2, rate=20.0, off=1.0)]
-    water = Spray(zones, 0.08, 0.2, reach=1.3 * SPACING, lost=-0.1, temperature=300.0, boiled=374.15, material=2)
+    water = Spray(zones, 0.08, 0.2, near=1.3 * SPACING, lost=-0.1, temperature=300.0, boiled=374.15, material="water")
     simulation = simulation_of(device, particles, [water])
     simulation.run(2.0, 0.5)
     s = simulation.snapshot()

@@ -5,12 +5,34 @@ import numpy as np
 import pytest
 
 from warpsph.core.labels import Phase, Role
+from warpsph.core.quantity import Quantity
 from warpsph.files.output import ResultWriter
 from warpsph.files.results import ResultFile
 
 matplotlib.use("Agg")
 
 LIQUIDUS = 1723.0
+FIELDS = {
+    "velocity": Quantity("velocity", "m/s"),
+    "pressure": Quantity("pressure", "Pa", "cividis"),
+    "temperature": Quantity("temperature", "K", "inferno"),
+}
+DIAGNOSTICS = {
+    "level": Quantity("melt level", "m"),
+    **{f"mass_{where}": Quantity(where, "kg/m", panel="mass") for where in ("inside", "in", "out")},
+    **{f"enthalpy_{where}": Quantity(where, "J/m", panel="enthalpy") for where in ("inside", "in", "out")},
+    "heat_mould": Quantity("to the mould", "J/m", panel="heat taken away"),
+    "heat_spray": Quantity("to the spray", "J/m", panel="heat taken away"),
+    "ledger_error": Quantity("relative error of the heat ledger"),
+    "kinetic_energy": Quantity("kinetic energy", "J/m"),
+    "highest_speed": Quantity("highest speed", "m/s"),
+    "shell_thickness": Quantity("shell thickness", "m", over="height"),
+    "shell_surface_temperature": Quantity("shell surface temperature", "K", "inferno", over="height"),
+    "density_min": Quantity("lowest", "kg/m^3", panel="density"),
+    "density_max": Quantity("highest", "kg/m^3", panel="density"),
+    "casting_speed": Quantity("casting speed", "m/s"),
+    "height": Quantity("height", "m"),
+}
 
 
 def lattice(left, bottom, right, top, spacing) -> np.ndarray:
@@ -70,35 +92,33 @@ def write_strand(path, spacing: float = 0.004, times=(0.0, 3.0, 6.0, 12.0)) -> R
     """Write the made-up run with diagnostics like those of a casting run."""
     height = np.linspace(-0.02, 0.44, 24)
     provenance = {"spacing": spacing, "dimension": 2, "materials": ["steel", "copper"]}
-    with ResultWriter(path, {"scenario": "casting", "spacing": spacing}, provenance) as writer:
+    with ResultWriter(path, {"scenario": "casting", "spacing": spacing}, provenance, quantities=FIELDS) as writer:
         for time in times:
             writer.write_frame(time, *strand(time, spacing))
         for time in np.linspace(0, 12, 60):
             thickness = 0.03 * np.sqrt(np.clip(0.44 - height, 0, None) / 0.46) * min(1.0, time / 6.0)
-            writer.write_diagnostics(
-                time,
-                {
-                    "level": 0.44 - 0.002 * time + 0.001 * np.sin(9 * time),
-                    "mass_inside": 310 - time,
-                    "mass_in": 5 * time,
-                    "mass_out": 6 * time,
-                    "enthalpy_inside": 4e8 - 1e6 * time,
-                    "enthalpy_in": 6e6 * time,
-                    "enthalpy_out": 5e6 * time,
-                    "heat_mould": 1.4e6 * time,
-                    "heat_spray": 0.6e6 * time,
-                    "ledger_error": 1e-6 * np.sin(time),
-                    "kinetic_energy": 2e-3 * np.exp(-time),
-                    "highest_speed": 0.2 + 0.1 * np.exp(-time),
-                    "density_min": 6990 - time,
-                    "density_max": 7010 + time,
-                    "casting_speed": 0.01 * min(1.0, time / 3),
-                    "height": height,
-                    "shell_thickness": thickness,
-                    "shell_surface_temperature": LIQUIDUS - 10e3 * thickness,
-                    "something_else": time,
-                },
-            )
+            values = {
+                "level": 0.44 - 0.002 * time + 0.001 * np.sin(9 * time),
+                "mass_inside": 310 - time,
+                "mass_in": 5 * time,
+                "mass_out": 6 * time,
+                "enthalpy_inside": 4e8 - 1e6 * time,
+                "enthalpy_in": 6e6 * time,
+                "enthalpy_out": 5e6 * time,
+                "heat_mould": 1.4e6 * time,
+                "heat_spray": 0.6e6 * time,
+                "ledger_error": 1e-6 * np.sin(time),
+                "kinetic_energy": 2e-3 * np.exp(-time),
+                "highest_speed": 0.2 + 0.1 * np.exp(-time),
+                "shell_thickness": thickness,
+                "shell_surface_temperature": LIQUIDUS - 10e3 * thickness,
+                "density_min": 6990 - time,
+                "density_max": 7010 + time,
+                "casting_speed": 0.01 * min(1.0, time / 3),
+                "height": height,
+                "something_else": time,
+            }
+            writer.write_diagnostics(time, values, DIAGNOSTICS)
         writer.write_event(9.0, "spray 2 failed")
         writer.finish(status="complete")
     return ResultFile(path)

@@ -5,6 +5,7 @@ import pytest
 from matplotlib.colors import to_rgb
 
 from warpsph.core.labels import Phase, Role
+from warpsph.core.quantity import Quantity
 from warpsph.errors import InputError
 from warpsph.files.output import ResultWriter
 from warpsph.files.results import ResultFile
@@ -41,6 +42,7 @@ def test_default_look_of_a_strand(result, frames):
     np.testing.assert_allclose(colours[hottest], to_rgb(MELT[-1]), atol=0.05)
     np.testing.assert_allclose(colours[coldest], to_rgb(SHELL[0]), atol=0.05)
     assert [name for name, _ in look.patches()] == ["mould", "dummy", "spray"]
+    assert look.title == "temperature [K]"
 
 
 def test_shell_stays_blue_at_the_temperature_of_melt(result, frames):
@@ -52,8 +54,8 @@ def test_shell_stays_blue_at_the_temperature_of_melt(result, frames):
     assert colours[1, 2] > colours[1, 0]
 
 
-def made_up(tmp_path, **fields):
-    """A file of one frame of ten free particles."""
+def made_up(tmp_path, quantities=None, **fields):
+    """A file of one frame of ten free particles, and what is known of its fields."""
     n = 10
     plain = {
         "role": np.zeros(n, "i4"),
@@ -62,7 +64,7 @@ def made_up(tmp_path, **fields):
         "velocity": np.ones((n, 3), "f4"),
     }
     path = tmp_path / "run.vtkhdf"
-    with ResultWriter(path, {}, {"spacing": 0.1, "dimension": 2}) as writer:
+    with ResultWriter(path, {}, {"spacing": 0.1, "dimension": 2}, quantities=quantities) as writer:
         writer.write_frame(0.0, np.random.default_rng(1).random((n, 3)), plain | fields)
     result = ResultFile(path)
     return result, [result.frame(0)]
@@ -81,11 +83,51 @@ def test_speed_is_the_magnitude_of_velocity(result, frames):
     """If it failed, the colour bar of a speed would show one component, or the wrong range."""
     look = choose_look(result, "speed", frames)
     assert isinstance(look, QuantityLook)
-    assert look.bar.title == "speed [m/s]"
+    assert look.title == "speed [m/s]"
     velocity, role = frames[-1][1]["velocity"], frames[-1][1]["role"]
     fastest = np.linalg.norm(velocity[role == Role.FREE], axis=1).max()
     assert look.mappable.norm.vmax == pytest.approx(fastest, rel=0.05)
     np.testing.assert_allclose(choose_look(result, "velocity", frames).mappable.get_clim(), look.mappable.get_clim())
+
+
+def test_a_declared_field_has_its_name_unit_and_colours(tmp_path):
+    """If it failed, a scenario's own field could not be drawn, or would not be called what it was declared as."""
+    quantities = {
+        "dye": Quantity("concentration of the dye", "mol/m^3", "magma"),
+        "pull": Quantity("pull of the wire", "N"),
+        "speed": Quantity("speed of the reaction", "1/s"),
+        "velocity": Quantity("velocity", "m/s"),
+    }
+    own = {
+        "dye": np.linspace(0, 1, 10, dtype="f4"),
+        "pull": np.full((10, 3), 2.0, "f4"),
+        "speed": np.arange(10, dtype="i4"),
+    }
+    result, frames = made_up(tmp_path, quantities, **own)
+    look = choose_look(result, "dye", frames)
+    assert look.title == "concentration of the dye [mol/m³]"
+    assert look.mappable.get_cmap().name == "magma"
+    assert look.mappable.get_clim() == (0.0, 1.0)
+    pull = choose_look(result, "pull", frames)
+    assert pull.title == "pull of the wire [N]"
+    assert np.mean(pull.mappable.get_clim()) == pytest.approx(np.sqrt(12.0))
+    assert choose_look(result, "speed", frames).title == "speed of the reaction [1/s]"
+    assert choose_look(result, "speed", frames).mappable.get_clim() == (0.0, 9.0)
+    assert choose_look(result, "velocity", frames).title == "speed [m/s]"
+
+
+def test_an_undeclared_field_is_called_by_its_name(tmp_path):
+    """If it failed, the fields of an older file could not be drawn."""
+    result, frames = made_up(tmp_path, solid_fraction=np.linspace(0, 1, 10, dtype="f4"))
+    assert choose_look(result, "solid_fraction", frames).title == "solid fraction"
+    assert choose_look(result, "velocity", frames).title == "speed"
+    assert choose_look(result, None, frames).title == "speed"
+
+
+def test_unknown_colours_are_viridis(tmp_path):
+    """If it failed, a field whose declaration misspells a colour map could not be looked at."""
+    result, frames = made_up(tmp_path, {"dye": Quantity("dye", colours="magmma")}, dye=np.zeros(10, "f4"))
+    assert choose_look(result, "dye", frames).mappable.get_cmap().name == "viridis"
 
 
 def test_outliers_do_not_take_the_colours(tmp_path):
@@ -102,6 +144,16 @@ def test_outliers_do_not_take_the_colours(tmp_path):
     look = choose_look(result, "pressure", [result.frame(0)])
     assert look.mappable.norm.vmax < 1.1
     assert look.bar.extend == "max"
+
+
+def test_temperatures_keep_all_their_colours(tmp_path):
+    """If it failed, the few hottest particles, which matter most, would be cut off the scale."""
+    values = np.linspace(300, 301, 10, dtype="f4")
+    values[3] = 2000.0
+    result, frames = made_up(tmp_path, temperature=values)
+    look = choose_look(result, "temperature", frames)
+    assert look.mappable.get_clim() == (300.0, 2000.0)
+    assert look.bar.extend == "neither"
 
 
 def test_categories_are_named(result, frames):

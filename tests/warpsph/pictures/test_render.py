@@ -9,11 +9,12 @@ import pytest
 from matplotlib.image import imread
 
 from warpsph.core.labels import Phase
+from warpsph.core.quantity import Quantity
 from warpsph.errors import InputError
 from warpsph.files.output import ResultWriter
 from warpsph.files.results import ResultFile
 from warpsph.pictures import graphics, plot_diagnostics, render_movie, render_series, render_still
-from warpsph.pictures.sheet import time_text
+from warpsph.pictures.sheet import Sheet, time_text
 
 
 def share_of(image: np.ndarray, test) -> float:
@@ -124,6 +125,25 @@ def test_a_cut_shows_what_is_inside(tmp_path, with_graphics):
     assert shares[1] > 3.0 * shares[0]
     with pytest.raises(InputError, match="lie beyond"):
         render_still(ResultFile(tmp_path / "run.vtkhdf"), tmp_path / "still.png", cut=(0, -1.0))
+
+
+def test_a_long_name_stays_on_the_sheet(tmp_path, monkeypatch):
+    """If it failed, the name of a field of more than two words would be cut off at the edge of the picture."""
+    monkeypatch.setattr(graphics, "graphics_available", lambda: False)
+    saved = []
+    monkeypatch.setattr(Sheet, "save", lambda sheet, output: saved.append(sheet))
+    quantities = {"dye": Quantity("concentration of the dye that was poured in", "kg/m^3")}
+    with ResultWriter(tmp_path / "run.vtkhdf", {}, {"spacing": 0.1}, quantities=quantities) as writer:
+        writer.write_frame(0.0, np.zeros((1, 3)), {"role": np.zeros(1, "i4"), "dye": np.ones(1, "f4")})
+    render_still(ResultFile(tmp_path / "run.vtkhdf"), tmp_path / "still.png", field="dye")
+    [sheet] = saved
+    sheet.canvas.draw()
+    [title] = [text for text in sheet.figure.texts if "dye" in text.get_text()]
+    assert " ".join(title.get_text().split()) == "concentration of the dye that was poured in [kg/m³]"
+    box = title.get_window_extent()
+    assert box.x1 < sheet.figure.bbox.x1
+    bar = next(axes for axes in sheet.figure.axes if hasattr(axes, "_colorbar"))
+    assert bar.get_window_extent().y1 < box.y0
 
 
 def test_wrong_requests_leave_nothing(result, tmp_path):

@@ -8,11 +8,12 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import inert
-from warpsph.core.model import Fluid, Model
+from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.errors import DivergenceError, InputError
 from warpsph.files.results import ResultFile
 from warpsph.run.simulation import Simulation
+from warpsph.terms import Fluid, SummedDensity
 
 DX = 0.02
 
@@ -22,7 +23,7 @@ def falling_block(**options) -> Simulation:
     particles.add(lattice((0.0, 0.0), (0.2, 0.2), DX), Role.FREE)
     particles.add(tank((0.0, 0.0), (0.4, 0.3), DX), Role.DUMMY)
     particles.add(np.zeros((3, 3)), Role.RESERVOIR)
-    model = Model(2, DX, (inert("water", 1000.0, viscosity=0.5),), fluid=Fluid(1000.0, 30.0))
+    model = Model(2, DX, (inert("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
     return Simulation(Executor("cpu", 1), model, particles, **options)
 
 
@@ -94,6 +95,6 @@ def test_events_reach_file_and_result(tmp_path):
     """A breakout that is noticed but not kept cannot be looked up."""
     path = tmp_path / "run.vtkhdf"
     simulation = falling_block()
-    simulation.note_event(0.0, "start")
+    simulation.events.note(0.0, "start")
     result = simulation.run(0.01, 0.01, output=path)
     assert result.events == ResultFile(path).events == [(0.0, "start")]

@@ -9,8 +9,13 @@ from pydantic import model_validator
 
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
+from warpsph.core.quantity import Quantity
 from warpsph.errors import DivergenceError
 from warpsph.files.output import ResultWriter
+from warpsph.files.provenance import provenance
+
+FIELDS = {"dye": Quantity("concentration of the dye", "kg/m^3", "magma")}
+DIAGNOSTICS = {"level": Quantity("melt level", "m"), "profile": Quantity("profile")}
 
 
 class FakeSimulation:
@@ -30,11 +35,12 @@ class FakeSimulation:
         parameters: dict | None = None,
     ) -> SimpleNamespace:
         status = "interrupted" if self.ending == "interrupt" else "complete"
-        with ResultWriter(output, parameters, {"device": "cpu", "spacing": 0.01}, overwrite) as writer:
+        facts = provenance("cpu", 2) | {"spacing": 0.01}
+        with ResultWriter(output, parameters, facts, overwrite, FIELDS) as writer:
             times = np.arange(0.0, duration + 0.5 * output_interval, output_interval)
             for k, now in enumerate(times):
                 writer.write_frame(now, *_frame(300.0 - k))
-                writer.write_diagnostics(now, {"level": 0.4, "profile": np.arange(3.0)})
+                writer.write_diagnostics(now, {"level": 0.4, "profile": np.arange(3.0)}, DIAGNOSTICS)
                 if progress:
                     progress(SimpleNamespace(**_progress(now, duration)))
             events = [(float(times[-1]), "the last drop froze")]
@@ -42,7 +48,8 @@ class FakeSimulation:
             writer.finish(status=status, steps=len(times))
         if self.ending == "diverge":
             raise DivergenceError("particle 7 at (0.1, 0.2, 0) m: speed 1e9 m/s at 0.5 s")
-        return SimpleNamespace(status=status, time=float(times[-1]), summary={"level": "0.400 m"}, events=events)
+        summary = {"computed on": "cpu, 2 threads, in 0.001 s", "at the end": "level 0.400 m"}
+        return SimpleNamespace(status=status, time=float(times[-1]), summary=summary, events=events)
 
 
 class Ingot(Scenario):
@@ -126,7 +133,7 @@ class Interrupted(Ingot):
 
 def _frame(temperature: float) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     labels = {name: np.zeros(3, "i4") for name in ("id", "role", "material", "phase")}
-    scalars = ("density", "pressure", "temperature", "enthalpy", "solid_fraction")
+    scalars = ("density", "pressure", "temperature", "enthalpy", "solid_fraction", "dye")
     fields = {name: np.full(3, temperature, "f4") for name in scalars}
     points = np.array([[0, 0, 0], [0.01, 0, 0], [0.02, 0, 0]], "f4")
     return points, labels | fields | {"velocity": np.zeros((3, 3), "f4")}

@@ -1,0 +1,1 @@
+"""A term from beginning to end: dye that diffuses. Kernels, the term, and a scenario that uses it."""

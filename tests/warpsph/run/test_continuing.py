@@ -1,0 +1,101 @@
+"""What a run does not depend on, and what it survives."""
+
+import numpy as np
+import pytest
+
+from warpsph.core.executor import Executor
+from warpsph.core.labels import Phase, Role
+from warpsph.core.materials import inert, melting_material
+from warpsph.core.model import Model
+from warpsph.core.particles import Particles, lattice
+from warpsph.errors import InputError
+from warpsph.files.results import ResultFile
+from warpsph.run.progress import Progress
+from warpsph.run.simulation import Simulation
+from warpsph.scenarios import HeatGaussian
+from warpsph.terms import Conduction, Fluid, PhaseChange, SummedDensity
+
+DX = 0.004
+
+
+def pool() -> Simulation:
+    """A little melt in a cold box, which freezes completely."""
+    easy = melting_material(
+        "tin", density=2000.0, heat_capacity=500.0, latent_heat=2.0e4, solidus=500.0, liquidus=510.0,
+        conductivity_solid=100.0, conductivity_liquid=100.0, viscosity=5.0, source="round numbers",
+    )  # fmt: skip
+    box = lattice((-4 * DX, -4 * DX), (8 * DX, 8 * DX), DX)
+    inside = np.all((box[:, :2] > 0.0) & (box[:, :2] < 4 * DX), axis=1)
+    particles = Particles()
+    particles.add(box[inside], Role.FREE, temperature=515.0)
+    particles.add(box[~inside], Role.WALL, temperature=300.0, held=True)
+    terms = (Fluid(2000.0, 10.0), SummedDensity(), Conduction(), PhaseChange())
+    return Simulation(Executor("cpu", 1), Model(2, DX, (easy,), terms), particles)
+
+
+def falling(**options) -> Simulation:
+    particles = Particles()
+    particles.add(lattice((0.0, 0.0), (0.1, 0.1), 0.02), Role.FREE)
+    model = Model(2, 0.02, (inert("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
+    return Simulation(Executor("cpu", 1), model, particles, **options)
+
+
+def test_a_run_whose_melt_freezes_completely_comes_to_its_end(tmp_path):
+    """If it failed, every Stefan problem would end in a traceback when its last particle has frozen."""
+    path = tmp_path / "pool.vtkhdf"
+    result = pool().run(0.1, 0.01, output=path)
+    melt = result.fields["role"] == Role.FREE
+    assert np.all(result.fields["phase"][melt] == Phase.SOLID)
+    for series in (result.diagnostics, ResultFile(path).diagnostics):
+        assert np.isfinite(series["density_max"][0])
+        assert np.isnan(series["density_max"][-1])
+        assert len(series["density_max"]) == len(series["time"]) == 11
+    assert ResultFile(path).provenance["status"] == "complete"
+
+
+@pytest.mark.parametrize(("first", "then"), [({"a": 1.0}, {}), ({}, {"a": 1.0}), ({"a": 1.0}, {"b": 2.0})])
+def test_diagnostics_that_come_and_go_are_not_a_number_meanwhile(tmp_path, first, then):
+    """If it failed, an observer that has nothing to measure at some moment would end the run."""
+    path = tmp_path / "run.vtkhdf"
+    result = falling(observe=lambda state, time: first if time == 0.0 else then).run(0.02, 0.02, output=path)
+    expected = {name: [first.get(name, np.nan), then.get(name, np.nan)] for name in (*first, *then)}
+    for series in (result.diagnostics, ResultFile(path).diagnostics):
+        for name, values in expected.items():
+            assert np.array_equal(series[name], values, equal_nan=True)
+
+
+def test_a_run_from_python_stores_its_parameters(tmp_path):
+    """If it failed, nobody could tell later what a file holds."""
+    path = tmp_path / "plate.vtkhdf"
+    case = HeatGaussian(spacing=0.05, duration=1.0)
+    case.run(device="cpu", output=path)
+    assert ResultFile(path).parameters == case.as_dict()
+    assert ResultFile(path).parameters["spacing"] == 0.05
+
+
+def test_the_time_step_does_not_depend_on_the_duration():
+    """If it failed, a run to 0.07 s could not be continued to what a run to 0.4 s gives."""
+    long, short = falling(), falling()
+    long.run(0.04, 0.01)
+    short.run(0.007, 0.01)
+    assert short.solver.dt == long.solver.dt
+    assert short.time == pytest.approx(0.007, abs=long.solver.dt)
+
+
+def test_a_second_run_counts_its_own_progress():
+    """If it failed, the bar of a continued run would jump, and the time left be wrong."""
+    simulation = falling()
+    simulation.run(0.03, 0.01)
+    reports: list[Progress] = []
+    simulation.run(0.02, 0.01, progress=reports.append)
+    assert reports[-1].time == pytest.approx(0.05, abs=simulation.solver.dt)
+    assert reports[-1].duration == pytest.approx(0.05, abs=simulation.solver.dt)
+    assert reports[-1].seconds_left == pytest.approx(0.0, abs=1e-3)
+    assert reports[-1].steps == pytest.approx(0.02 / simulation.solver.dt, abs=1)
+
+
+@pytest.mark.parametrize(("duration", "interval"), [(0.0, 0.1), (-1.0, 0.1), (1.0, 0.0), (float("nan"), 0.1)])
+def test_times_without_meaning_are_refused(duration, interval):
+    """If it failed, a run of no time would divide by zero or never end."""
+    with pytest.raises(InputError, match="must be positive"):
+        falling().run(duration, interval)

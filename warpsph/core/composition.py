@@ -1,0 +1,80 @@
+"""Putting terms together: what excludes each other, what is missing, and in which order they act."""
+
+from dataclasses import fields, is_dataclass, replace
+
+from warpsph.core.dynamics import Dynamics
+from warpsph.core.model import Model
+from warpsph.core.motion import Motion
+from warpsph.core.term import Term
+from warpsph.errors import InputError
+
+
+def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
+    """The model with the parts of a machine among its terms, each after those that it follows.
+
+    Motion is added where no term provides one, and dynamics where a term needs forces.
+
+    Raises:
+        InputError: terms exclude each other, or one lacks what it needs.
+    """
+    terms: list[Term] = []
+    for term in (*model.terms, *parts):
+        if not isinstance(term, Term):
+            raise InputError(f"terms: {term!r} is not a term; give instances such as {_name(Motion)}()")
+        terms.append(term)
+    for built_in in (Dynamics(), Motion()):
+        wanted = isinstance(built_in, Motion) or any(set(built_in.provides) & set(term.needs) for term in terms)
+        if wanted and not any(set(built_in.provides) & set(term.provides) for term in terms):
+            terms.insert(0, built_in)
+    _refuse_rivals(terms)
+    provided = {what for term in terms for what in term.provides}
+    for term in terms:
+        for what in term.needs:
+            if what not in provided:
+                raise InputError(f"{_name(term)} needs {what} in the same case: {_remedy(what)}")
+        _refuse_missing_partners(term, terms)
+    return replace(model, terms=tuple(_ordered(terms)))
+
+
+def _refuse_rivals(terms: list[Term]) -> None:
+    for place, term in enumerate(terms):
+        if any(other is term for other in terms[:place]):
+            raise InputError(f"terms: the same {_name(term)} stands there twice")
+        for other in terms[:place]:
+            for what in set(term.provides) & set(other.provides):
+                raise InputError(f"{_name(other)} and {_name(term)} exclude each other: both provide {what}; drop one")
+
+
+def _refuse_missing_partners(term: Term, terms: list[Term]) -> None:
+    """A part that works with another one needs it in the same case."""
+    names: list[str] = [parameter.name for parameter in fields(term)] if is_dataclass(term) else []
+    for name in names:
+        partner = getattr(term, name)
+        if isinstance(partner, Term) and not any(partner is other for other in terms):
+            raise InputError(f"{_name(term)}: its {name}, a {_name(partner)}, is missing in the case; add it")
+
+
+def _ordered(terms: list[Term]) -> list[Term]:
+    """The terms so that each comes after what it follows, otherwise as they were given."""
+    left, done = list(terms), []
+    while left:
+        waiting = {what for term in left for what in term.provides}
+        ready = next((term for term in left if not waiting - set(term.provides) & set(term.follows)), None)
+        if ready is None:
+            raise InputError(f"terms wait for each other: {', '.join(map(_name, left))}")
+        left.remove(ready)
+        done.append(ready)
+    return done
+
+
+def _remedy(what: str) -> str:
+    providers = sorted(kind.__name__ for kind in _kinds(Term) if what in kind.provides)
+    return f"add {' or '.join(providers)}" if providers else "nothing known provides it"
+
+
+def _kinds(kind: type[Term]) -> set[type[Term]]:
+    return {kind, *(further for sub in kind.__subclasses__() for further in _kinds(sub))}
+
+
+def _name(term: Term | type[Term]) -> str:
+    return (term if isinstance(term, type) else type(term)).__name__

@@ -1,0 +1,34 @@
+"""What every particle has, the clock, and how positions advance."""
+
+from dataclasses import dataclass
+
+import warp as wp
+
+from warpsph.core.field import Field
+from warpsph.core.launch import Launch
+from warpsph.core.term import Term
+from warpsph.kernels.basics.motion import advance_clock, drift, watch
+
+
+@dataclass(frozen=True, eq=False)
+class Motion(Term):
+    """Positions follow velocities (n, 3) [m/s], compensated; the clock counts steps and simulated time."""
+
+    provides = ("motion",)
+
+    id = Field(int, "", "number of the particle", written=True)
+    role = Field(int, "", "who moves it", written=True)
+    material = Field(int, "", "material", written=True)
+    phase = Field(int, "", "phase", written=True)
+    position = Field(wp.vec3, "m", "position", compensated=True)
+    velocity = Field(wp.vec3, "m/s", "velocity", written=True)
+    mass = Field(float, "kg", "mass (per metre of depth in 2D)")
+
+    def kick(self, launch: Launch) -> None:
+        launch.whole(advance_clock)
+
+    def move(self, launch: Launch) -> None:
+        launch(drift)
+
+    def watch(self, launch: Launch) -> None:
+        launch(watch)

@@ -1,0 +1,28 @@
+"""What a run leaves."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from warpsph.core.quantity import Quantity
+
+
+@dataclass
+class Result:
+    """The final state as NumPy arrays and the diagnostics as time series.
+
+    ``positions`` (n, 3) [m] and ``fields`` (n, ...) hold every particle in the order of its id, those in the reservoir
+    too; ``quantities`` says what the diagnostics are called and in which unit; ``status`` is "complete" or
+    "interrupted"; ``summary`` pairs a label with a text for people.
+    """
+
+    positions: np.ndarray
+    fields: dict[str, np.ndarray]
+    diagnostics: dict[str, np.ndarray]
+    quantities: dict[str, Quantity]
+    events: list[tuple[float, str]]
+    time: float
+    steps: int
+    status: str
+    wall_time: float
+    summary: dict[str, str] = field(default_factory=dict)

@@ -1,0 +1,24 @@
+"""The physics: one file a term."""
+
+from warpsph.terms.colour_field_tension import ColourFieldTension
+from warpsph.terms.conduction import Conduction, contact_conductivity
+from warpsph.terms.contact import Contact
+from warpsph.terms.continuity_density import ContinuityDensity
+from warpsph.terms.elasticity import Elasticity
+from warpsph.terms.fluid import Fluid
+from warpsph.terms.phase_change import PhaseChange
+from warpsph.terms.summed_density import SummedDensity
+from warpsph.terms.surface_tension import SurfaceTension
+
+__all__ = [
+    "ColourFieldTension",
+    "Conduction",
+    "Contact",
+    "ContinuityDensity",
+    "Elasticity",
+    "Fluid",
+    "PhaseChange",
+    "SummedDensity",
+    "SurfaceTension",
+    "contact_conductivity",
+]

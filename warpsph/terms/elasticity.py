@@ -1,0 +1,155 @@
+"""Elastic solids of bonded particles."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import warp as wp
+
+from warpsph.core.field import Field, Value
+from warpsph.core.labels import Phase
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.neighbours import refuse_overflow
+from warpsph.core.particles import Particles
+from warpsph.core.state import State
+from warpsph.core.term import Term
+from warpsph.kernels.basics.smoothing import normalisation
+from warpsph.kernels.neighbours.cells import clear
+from warpsph.kernels.neighbours.lists import clear_flag
+from warpsph.kernels.neighbours.reorder import invert
+from warpsph.kernels.solid.bonds import BondList, copy_bonds, mark_bonded_neighbours, move_bonds, update_bonds
+from warpsph.kernels.solid.elasticity import (
+    ElasticConstants,
+    add_elastic_forces,
+    find_stress,
+    invert_moments,
+    settle_volume,
+)
+from warpsph.terms.fluid import Fluid
+from warpsph.terms.phase_change import PhaseChange
+
+# In spacings. Where the pressure of the melt is zero particles may freeze almost on top of each other; a stiffness of
+# the hourglass control that grows as the inverse square of such a length would be unstable at any time step.
+SHORTEST_BOND = 0.65
+
+
+@dataclass(frozen=True, eq=False)
+class Elasticity(Term):
+    """Elastic solid of bonded particles (Vijaykumar 2012, chapter 4).
+
+    Args:
+        youngs_modulus: E [Pa].
+        poisson_ratio: nu.
+        corrected: correct the displacement gradient by the moment matrix; False is the published form.
+        hourglass: strength of the control of zero-energy modes (Ganzenmueller 2015), 0 for none.
+    """
+
+    youngs_modulus: float
+    poisson_ratio: float
+    corrected: bool = True
+    hourglass: float = 0.1
+
+    provides = ("elasticity",)
+    needs = ("forces",)
+    follows = ("fluid", "density", "a change of phase", "surface tension")
+
+    froze = PhaseChange.froze
+    body_volume = Field(float, "m^3", "volume when it turned solid (area in 2D)")
+    correction = Field(wp.mat33, "", "inverse moment matrix of the bonds")
+    deformation = Field(wp.mat33, "", "deformation gradient")
+    stress = Field(wp.mat33, "Pa", "first Piola-Kirchhoff stress, times the correction")
+    bond_events = Value(int, "", "how often bonds have been made and cut")
+    longest_bond_row = Value(int, "", "not zero when a row of bonds was too short")
+
+    @property
+    def lame(self) -> tuple[float, float]:
+        """lambda and mu [Pa] of Hooke's law (4.5)."""
+        E, nu = self.youngs_modulus, self.poisson_ratio
+        return E * nu / ((1.0 + nu) * (1.0 - 2.0 * nu)), E / (2.0 * (1.0 + nu))
+
+    def wave_speed(self, density: float) -> float:
+        """Speed of the elastic compression wave [m/s]."""
+        lame_lambda, lame_mu = self.lame
+        return float(np.sqrt((lame_lambda + 2.0 * lame_mu) / density))
+
+    def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        densities = np.array([material.density for material in model.materials])
+        volume = fields["mass"] / densities[fields["material"]]
+        return {"froze": fields["phase"] == Phase.SOLID, "body_volume": volume}
+
+    def allocate(self, model: Model, state: State) -> None:
+        state.hold_list("bonds", _empty_bonds(model, state))
+        state.hold_list("spare_bonds", _empty_bonds(model, state), scratch=True)
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        scale = normalisation("sine", model.dimension, model.support)
+        return {"elastic": self._constants(model), "reach": model.support, "scale": scale}
+
+    def reach(self, model: Model) -> float:
+        return model.support
+
+    def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
+        """The elastic wave, and the melt's sound with it, across half a spacing: bonds may be shorter than one."""
+        if fluid := model.find(Fluid):
+            wave = np.hypot(self.wave_speed(fluid.reference_density), fluid.sound_speed)
+        else:
+            wave = max((self.wave_speed(model.materials[m].density) for m in moving), default=0.0)
+        return {"elastic wave": 0.5 * model.spacing / wave} if wave > 0.0 else {}
+
+    def initialise(self, launch: Launch) -> None:
+        launch.when("phase_changed", lambda: self._bond_solids(launch))
+        launch(clear, values=launch.find("froze"))
+
+    def sum_forces(self, launch: Launch) -> None:
+        launch(find_stress)
+
+    def add_forces(self, launch: Launch) -> None:
+        launch(add_elastic_forces)
+
+    def change_phases(self, launch: Launch) -> None:
+        launch.when("phase_changed", lambda: self._renew_bonds(launch))
+
+    def follow_sorting(self, launch: Launch) -> None:
+        bonds, spare = launch.find("bonds"), launch.find("spare_bonds")
+        launch(invert)
+        launch(move_bonds, target=spare)
+        launch(copy_bonds, bonds=spare, target=bonds)
+
+    def follow_listing(self, launch: Launch) -> None:
+        launch(mark_bonded_neighbours)
+
+    def check(self, state: State) -> None:
+        refuse_overflow(self.longest_bond_row, state.bonds.capacity, state)
+
+    def _renew_bonds(self, launch: Launch) -> None:
+        if "density" in launch:
+            launch(settle_volume)
+        self._bond_solids(launch)
+
+    def _bond_solids(self, launch: Launch) -> None:
+        launch(update_bonds)
+        launch(invert_moments)
+        launch(mark_bonded_neighbours)
+        launch.whole(clear_flag, flag=launch.find("phase_changed"), counter=self.bond_events)
+
+    def _constants(self, model: Model) -> ElasticConstants:
+        constants = ElasticConstants()
+        constants.lame_lambda, constants.lame_mu = self.lame
+        constants.youngs_modulus = self.youngs_modulus
+        constants.hourglass = self.hourglass
+        constants.shortest_squared = (SHORTEST_BOND * model.spacing) ** 2
+        constants.corrected = int(self.corrected)
+        constants.planar = int(model.dimension == 2)
+        return constants
+
+
+def _empty_bonds(model: Model, state: State) -> BondList:
+    bonds = BondList()
+    bonds.capacity = int(1.6 * len(model.lattice.offsets)) + 4
+    entries = state.count * bonds.capacity
+    bonds.count = wp.zeros(state.count, dtype=int, device=state.device)
+    bonds.partner = wp.zeros(entries, dtype=int, device=state.device)
+    bonds.separation = wp.zeros(entries, dtype=wp.vec3, device=state.device)
+    bonds.slope = wp.zeros(entries, dtype=float, device=state.device)
+    bonds.value = wp.zeros(entries, dtype=float, device=state.device)
+    return bonds

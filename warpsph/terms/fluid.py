@@ -1,0 +1,103 @@
+"""Weakly compressible flow: equation of state, pressure and viscosity, and the pressure of walls."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsph.core.equation_of_state import stiffness
+from warpsph.core.field import Field
+from warpsph.core.labels import Role
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.particles import Particles
+from warpsph.core.state import State
+from warpsph.core.term import Term
+from warpsph.kernels.basics.roles import FLUID_ROLES
+from warpsph.kernels.basics.smoothing import normalisation
+from warpsph.kernels.flow.fluid import FluidConstants
+from warpsph.kernels.flow.forces import add_fluid_forces
+from warpsph.kernels.flow.wall_pressure import extrapolate_pressure
+
+SOUND_LIMIT = 5.0  # times the speed of sound, at which a run counts as diverged
+
+
+def _reference_density(model: Model) -> float:
+    return model.the(Fluid).reference_density
+
+
+@dataclass(frozen=True, eq=False)
+class Fluid(Term):
+    """Weakly compressible flow (Vijaykumar 2012, chapters 1 and 2); a second term finds its density.
+
+    Args:
+        reference_density: rho_0 [kg/m^3].
+        sound_speed: c_s [m/s].
+        tension: whether pressure may fall below zero; forbid it where there is a free surface.
+    """
+
+    reference_density: float
+    sound_speed: float
+    tension: bool = False
+
+    provides = ("fluid",)
+    needs = ("forces", "density")
+    follows = ("density",)
+
+    density = Field(float, "kg/m^3", "density", start=_reference_density, written=True, renewed=True, colours="cividis")
+    pressure = Field(float, "Pa", "pressure", written=True, colours="cividis")
+    volume = Field(float, "m^3", "volume (area in 2D)")
+    viscosity = Field(float, "Pa s", "viscosity")
+    fluid_mass = Field(float, "kg", "mass in the sums of the fluid: walls count like it, spray does not")
+
+    @staticmethod
+    def particle_mass(model: Model) -> float:
+        """Mass [kg], per metre of depth in 2D, with which the lattice has the reference density."""
+        return _reference_density(model) * model.cell_volume / model.lattice.density()
+
+    def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        fluid_mass = np.where(particles.flows, self.particle_mass(model), 0.0)
+        moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR))
+        return {
+            "fluid_mass": fluid_mass,
+            "mass": np.where(moves & particles.flows, fluid_mass, fields["mass"]),
+            "volume": fluid_mass / self.reference_density,
+            "viscosity": np.array([material.viscosity for material in model.materials])[fields["material"]],
+        }
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        return {"fluid": fluid_constants(model)}
+
+    def reach(self, model: Model) -> float:
+        return model.support
+
+    def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
+        """Vijaykumar (2012), equation (7.6) with h = H/2, because the formula comes from a kernel with support 2h."""
+        h = 0.5 * model.support
+        viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
+        drag = 2.0 * 4.9633 * viscosity / (h * self.reference_density)
+        return {"sound and viscosity (7.6)": 0.5 * h / (self.sound_speed + drag)}
+
+    def speed_limit(self, model: Model) -> float:
+        return SOUND_LIMIT * self.sound_speed
+
+    def find_walls(self, launch: Launch) -> None:
+        launch(extrapolate_pressure)
+
+    def sum_forces(self, launch: Launch) -> None:
+        launch(add_fluid_forces)
+
+
+def fluid_constants(model: Model) -> FluidConstants:
+    """Constants of the flow: smoothing kernels normalised so that their sums are exact on the lattice."""
+    fluid, lattice = model.the(Fluid), model.lattice
+    constants = FluidConstants()
+    constants.support = model.support
+    constants.density_scale = normalisation("poly6", model.dimension, model.support)
+    constants.reference_density = fluid.reference_density
+    constants.stiffness = stiffness(fluid.reference_density, fluid.sound_speed)
+    constants.lowest_pressure = -1.0e30 if fluid.tension else 0.0
+    gradient = lattice.slope("spiky") / lattice.density()
+    viscosity = lattice.curvature("viscosity") / lattice.density()
+    constants.pressure_scale = normalisation("spiky", model.dimension, model.support) / gradient
+    constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support) / viscosity
+    return constants
