@@ -7,6 +7,7 @@ import numpy as np
 from warpsph.core.hydrostatics import row_heights
 from warpsph.core.labels import Role
 from warpsph.core.materials import COPPER, WATER
+from warpsph.core.model import GRAVITY
 from warpsph.core.particles import Particles, lattice
 from warpsph.machine import Inlet, LevelGauge, Outflow, Spray, SprayZone, SymmetryPlane
 from warpsph.scenarios.casting.nozzle import Nozzle, side_port, straight_tube
@@ -69,7 +70,7 @@ class CastingMachine:
         case, floor = self.case, -OUTFLOW_ROWS * self.case.spacing
         rows = round((case.level - floor) / case.spacing)
         if case.start == "hydrostatic":
-            return floor + row_heights(rows, case.spacing, 9.81, case.sound_speed)
+            return floor + row_heights(rows, case.spacing, GRAVITY, case.sound_speed)
         return floor + (np.arange(rows) + 0.5) * case.spacing
 
     def _gauge(self, nozzle: Nozzle) -> LevelGauge:

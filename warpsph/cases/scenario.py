@@ -67,7 +67,7 @@ class Scenario(BaseModel):
             raise InputError(_one_line(type(self), error)) from None
 
     def build(self, executor: "Executor") -> "Simulation":
-        """Place the particles and choose slots and devices."""
+        """Place the particles and choose terms and parts."""
         raise NotImplementedError
 
     def run(self, device: str = "auto", threads: int | None = None, **options: Any) -> "Result":

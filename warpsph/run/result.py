@@ -13,7 +13,7 @@ class Result:
 
     ``positions`` (n, 3) [m] and ``fields`` (n, ...) hold every particle in the order of its id, those in the reservoir
     too; ``quantities`` says what the diagnostics are called and in which unit; ``status`` is "complete" or
-    "interrupted"; ``summary`` pairs a label with a text for people.
+    "interrupted"; ``materials`` are their names, by index; ``summary`` pairs a label with a text for people.
     """
 
     positions: np.ndarray
@@ -25,4 +25,13 @@ class Result:
     steps: int
     status: str
     wall_time: float
+    materials: tuple[str, ...] = ()
     summary: dict[str, str] = field(default_factory=dict)
+
+    def made_of(self, material: str) -> np.ndarray:
+        """Which particles (n,) are made of a material.
+
+        Raises:
+            ValueError: there is no such material.
+        """
+        return self.fields["material"] == self.materials.index(material)

@@ -224,5 +224,6 @@ class Simulation:
             steps=self.steps,
             status=status,
             wall_time=wall_time,
+            materials=tuple(material.name for material in self.model.materials),
             summary=summary,
         )

@@ -117,7 +117,8 @@ def test_contact_conductance(device):
     simulation.prepare()
     simulation.solver._at("sum_heat")
     s = simulation.state
-    gained = float(np.sum(s.numpy("heat_rate")[middle_rows(s) & (s.numpy("material") == 1)]))
+    copper = s.numpy("material") == simulation.model.index_of(COPPER.name)
+    gained = float(np.sum(s.numpy("heat_rate")[middle_rows(s) & copper]))
     assert gained == pytest.approx(conductance * 1000.0 * MIDDLE_HEIGHT, rel=1e-3)
 
 

@@ -23,10 +23,10 @@ def test_heat_goes_from_liquid_to_wall(device):
     assert "heat" in check.quantity
     assert check.passed
     assert check.reference > 0.0
-    T, liquid = result.fields["temperature"], result.fields["material"] == 0
+    T, liquid = result.fields["temperature"], result.made_of("liquid")
     assert T[liquid].min() < 1990.0
     assert T[liquid].max() <= 2000.5
-    assert T[result.fields["material"] == 1].min() >= 1499.5
+    assert T[result.made_of("cold wall")].min() >= 1499.5
 
 
 def test_nothing_leaves_the_tank(device):

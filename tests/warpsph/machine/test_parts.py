@@ -159,9 +159,9 @@ def test_spray_boils_and_returns(device):
     s = simulation.snapshot()
     sprayed = water.sprayed.numpy()
     assert list(sprayed) == pytest.approx([40, 20], abs=1)
-    of_water = s["material"] == 2
+    of_water = s["material"] == simulation.model.index_of("water")
     assert s["entries"][of_water].sum() == sprayed.sum()
-    metal = s["material"] == 1
+    metal = s["material"] == simulation.model.index_of("copper")
     assert np.all(s["exits"][metal] == 0)
     lost_by_metal = np.sum(s["mass"][metal].astype(float) * (600.0 * wall_capacity - s["enthalpy"][metal]))
     present = of_water & (s["role"] == Role.SPRAY)
