@@ -52,11 +52,15 @@ def bits(simulation: Simulation) -> dict[str, bytes]:
 
 def arrays_made_by(build: Callable[[], Simulation]) -> tuple[Simulation, list[wp.array]]:
     """A simulation and every Warp array that is alive because of it."""
-    before = {id(thing) for thing in gc.get_objects() if isinstance(thing, wp.array)}
+    before = {id(array) for array in alive()}
     simulation = build()
     gc.collect()
-    made = [thing for thing in gc.get_objects() if isinstance(thing, wp.array) and id(thing) not in before]
-    return simulation, made
+    return simulation, [array for array in alive() if id(array) not in before]
+
+
+def alive() -> list[wp.array]:
+    """All arrays of this process, by their type alone: a dead proxy must not be asked."""
+    return [thing for thing in gc.get_objects() if type(thing) is wp.array]
 
 
 def test_no_device_array_changes_that_is_not_in_the_registry(case, device):
