@@ -3,6 +3,7 @@
 from pathlib import Path
 from typing import Annotated
 
+import numpy as np
 from cyclopts import Parameter
 from cyclopts.validators import Number
 from rich.text import Text
@@ -90,5 +91,6 @@ def _target(file: Path, field: str | None, output: Path | None, suffix: str) -> 
 
 
 def _check_time(result: ResultFile, time: float) -> None:
-    if len(result.times) and not result.times[0] <= time <= result.times[-1]:
+    slack = 1e-6 * np.ptp(result.times) if len(result.times) else 0.0
+    if len(result.times) and not result.times[0] - slack <= time <= result.times[-1] + slack:
         raise InputError(f"--time {time:g}: {result.path} holds {result.times[0]:g} to {result.times[-1]:g} s")

@@ -22,9 +22,11 @@ from warpsph.files.provenance import provenance
 from warpsph.run.divergence import refuse_divergence
 from warpsph.run.events import Events
 from warpsph.run.interrupt import InterruptRequest
-from warpsph.run.progress import Meter, Report
+from warpsph.run.meter import Meter
+from warpsph.run.progress import Report
 from warpsph.run.recorder import Describe, Observe, Recorder
 from warpsph.run.result import Result
+from warpsph.run.schedule import CycleSteps, Schedule
 from warpsph.run.timestep import plan_steps
 
 FASTEST = 1.0e6  # [m/s], where no term knows a limit
@@ -84,8 +86,7 @@ class Simulation:
         self.solver = Solver(executor, model, state, lower, upper, speed_limit)
         self.events = Events()
         self.recorder = Recorder(state, model.dimension, self.events, observe, describe)
-        self._recorded_for: float | None = None
-        self._recordings: list[tuple[Recording, int]] = []
+        self._recordings: dict[CycleSteps, list[tuple[Recording, int]]] = {}
 
     @property
     def time(self) -> float:
@@ -126,8 +127,9 @@ class Simulation:
     ) -> Result:
         """Simulate for ``duration`` [s] from the present time on.
 
-        The time step fills the output interval with whole cycles and does not depend on the duration; the run ends
-        with the cycle nearest to it.
+        The time step fills the output interval with whole cycles and does not depend on the duration; where that ends
+        within a cycle, the steps of this last cycle are shorter. ``run(a)`` and then ``run(b)`` is ``run(a + b)`` as
+        long as a is a multiple of the output interval.
 
         Args:
             duration: physical time [s].
@@ -150,25 +152,23 @@ class Simulation:
         recorder.begin(writer)
         status = "failed"
         try:
-            dt, cycles_per_frame = self.plan.fitted(output_interval)
-            cycle_time = dt * self.plan.heat_every
-            schedule = self._schedule(dt)
+            schedule = Schedule(self.plan, self.time, duration, output_interval)
+            self._begin_with(schedule)
             recorder.keep()
-            cycles_done, cycles = 0, max(round(duration / cycle_time), 1)
-            meter = Meter(self.time, duration, dt, self.plan.heat_every, progress)
+            meter = Meter(schedule, progress)
             with InterruptRequest() as interrupt:
                 stopping = False
-                while cycles_done < cycles and not stopping:
-                    until_frame = min(cycles_per_frame - cycles_done % cycles_per_frame, cycles - cycles_done)
-                    batch = min(meter.cycles_at_once, until_frame)
-                    self.executor.replay(schedule * batch)
-                    cycles_done += batch
+                while not (schedule.done or stopping):
+                    cycles = schedule.next_batch(meter.cycles_at_once)
+                    self.executor.replay(self._recorded(schedule.cycle_steps) * cycles)
                     refuse_divergence(self.solver, self.plan.limits)
                     stopping = interrupt.asked
-                    if batch == until_frame or stopping:
+                    if schedule.at_frame:
+                        self.state.time.fill_(schedule.time)
+                    if schedule.at_frame or stopping:
                         recorder.keep()
-                    meter.update(batch, cycles_done, self.time, recorder.note)
-            status = "complete" if cycles_done == cycles else "interrupted"
+                    meter.update(cycles, recorder.note)
+            status = "complete" if schedule.done else "interrupted"
         except DivergenceError:
             status = "diverged"
             raise
@@ -190,20 +190,25 @@ class Simulation:
         quantities = {name: field.quantity for name, field in self.state.fields.items() if field.written}
         return ResultWriter(output, parameters, facts, overwrite, quantities)
 
-    def _schedule(self, dt: float) -> list[tuple[Recording, int]]:
-        """What is replayed for a cycle of ``heat_every`` steps of ``dt`` [s], recorded where that is a new step."""
-        if self._recorded_for == dt:
-            return self._recordings
-        solver, every = self.solver, self.plan.heat_every
-        solver.set_steps(dt, dt * every)
+    def _begin_with(self, schedule: Schedule) -> None:
+        """Set the time step of a run's cycles, and before the very first step bring the initial state up to date."""
+        steps = schedule.cycle_steps
+        self.solver.set_steps(steps.dt, steps.duration)
         if self.steps == 0:
-            solver.prepare()
-        record = self.executor.record
-        self._recordings = [(record(solver.step_with_heat if self.plan.with_heat else solver.step), 1)]
-        if every > 1:
-            self._recordings.insert(0, (record(solver.step), every - 1))
-        self._recorded_for = dt
-        return self._recordings
+            self.solver.prepare()
+
+    def _recorded(self, steps: CycleSteps) -> list[tuple[Recording, int]]:
+        """What is replayed for a cycle: its steps, the last one with heat; recorded once for each length."""
+        if steps not in self._recordings:
+            solver, record = self.solver, self.executor.record
+            usual = solver.dt, solver.interval
+            solver.set_steps(steps.dt, steps.duration)
+            recordings = [(record(solver.step_with_heat if self.plan.with_heat else solver.step), 1)]
+            if steps.count > 1:
+                recordings.insert(0, (record(solver.step), steps.count - 1))
+            solver.set_steps(*usual)
+            self._recordings[steps] = recordings
+        return self._recordings[steps]
 
     def _result(self, status: str, wall_time: float) -> Result:
         fields = self.snapshot()

@@ -27,11 +27,6 @@ class StepPlan:
     limits: Limits
     with_heat: bool
 
-    def fitted(self, output_interval: float) -> tuple[float, int]:
-        """Time step [s] and number of cycles of ``heat_every`` steps that fill an output interval [s]."""
-        cycles = max(int(np.ceil(output_interval / (self.heat_every * self.longest) - 1e-9)), 1)
-        return output_interval / cycles / self.heat_every, cycles
-
 
 def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_factor: float) -> StepPlan:
     """The longest steps that all terms allow, or those asked for.

@@ -11,7 +11,9 @@ from warpsph.core.particles import Particles, lattice
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 from warpsph.run.progress import Progress
+from warpsph.run.schedule import Schedule
 from warpsph.run.simulation import Simulation
+from warpsph.run.timestep import StepPlan
 from warpsph.scenarios import HeatGaussian
 from warpsph.terms import Conduction, Fluid, PhaseChange, SummedDensity
 
@@ -79,7 +81,7 @@ def test_the_time_step_does_not_depend_on_the_duration():
     long.run(0.04, 0.01)
     short.run(0.007, 0.01)
     assert short.solver.dt == long.solver.dt
-    assert short.time == pytest.approx(0.007, abs=long.solver.dt)
+    assert short.time == 0.007
 
 
 def test_a_second_run_counts_its_own_progress():
@@ -88,10 +90,48 @@ def test_a_second_run_counts_its_own_progress():
     simulation.run(0.03, 0.01)
     reports: list[Progress] = []
     simulation.run(0.02, 0.01, progress=reports.append)
-    assert reports[-1].time == pytest.approx(0.05, abs=simulation.solver.dt)
-    assert reports[-1].duration == pytest.approx(0.05, abs=simulation.solver.dt)
-    assert reports[-1].seconds_left == pytest.approx(0.0, abs=1e-3)
-    assert reports[-1].steps == pytest.approx(0.02 / simulation.solver.dt, abs=1)
+    assert reports[-1].time == reports[-1].duration == pytest.approx(0.05, abs=1e-15)
+    assert reports[-1].seconds_left == 0.0
+    assert reports[-1].steps == round(0.02 / simulation.solver.dt)
+
+
+@pytest.mark.parametrize(
+    ("duration", "interval", "expected"),
+    [
+        (2.4, 1.0, [0.0, 1.0, 2.0, 2.4]),
+        (2.6, 1.0, [0.0, 1.0, 2.0, 2.6]),
+        (1.0, 0.3, [0.0, 0.3, 0.6, 0.9, 1.0]),
+        (0.4, 1.0, [0.0, 0.4]),
+        (0.2, 0.05, [0.0, 0.05, 0.1, 0.15, 0.2]),
+    ],
+)
+def test_a_run_ends_at_its_duration_with_frames_in_time(tmp_path, duration, interval, expected):
+    """If it failed, a run would end at another time than it was told, and call itself complete."""
+    path = tmp_path / "plate.vtkhdf"
+    reports: list[Progress] = []
+    case = HeatGaussian(spacing=0.05, diffusivity=1e-6, duration=duration, output_interval=interval)
+    result = case.run(device="cpu", output=path, progress=reports.append)
+    assert np.allclose(ResultFile(path).times, expected, rtol=0.0, atol=1e-15)
+    assert result.time == duration
+    assert result.diagnostics["time"][-1] == reports[-1].time == duration
+    assert max(report.time / report.duration for report in reports) == 1.0
+
+
+def test_the_last_steps_are_shorter_not_longer():
+    """If it failed, a run that ends within a cycle would end with an unstable step."""
+    plan = StepPlan(longest=0.01, heat_every=4, limits={}, with_heat=True)
+    for duration in (0.001, 0.0399, 0.0401, 0.075, 0.1, 0.12, 0.123, 1.0):
+        schedule = Schedule(plan, 0.0, duration, 0.1)
+        total, steps = 0.0, 0
+        while not schedule.done:
+            cycles = schedule.next_batch(1)
+            assert schedule.cycle_steps.dt <= 0.01 * (1.0 + 1e-9)
+            assert schedule.cycle_steps.count <= 4
+            total += cycles * schedule.cycle_steps.duration
+            steps += cycles * schedule.cycle_steps.count
+        assert total == pytest.approx(duration, rel=1e-12)
+        assert schedule.time == duration
+        assert schedule.steps_done == steps
 
 
 @pytest.mark.parametrize(("duration", "interval"), [(0.0, 0.1), (-1.0, 0.1), (1.0, 0.0), (float("nan"), 0.1)])
