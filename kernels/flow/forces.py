@@ -21,6 +21,8 @@ def add_fluid_forces(
     pressure: wp.array[float],
     volume: wp.array[float],
     viscosity: wp.array[float],
+    fluid_mass: wp.array[float],
+    mass: wp.array[float],
     role: wp.array[int],
     acceleration: wp.array[wp.vec3],
 ):
@@ -28,6 +30,7 @@ def add_fluid_forces(
 
     Vijaykumar (2012), equations (2.3), (2.5), (2.6). Bonded pairs do not press on each other: their bond does.
     ``viscosity`` (n,) [Pa s] enters a pair as the harmonic mean; a wall without viscosity lets the fluid slip.
+    ``mass`` (n,) [kg] of a solid may differ from the ``fluid_mass`` (n,) by which it counts in the sums.
     """
     i = wp.tid() + first
     if role[i] == Role.FREE:
@@ -52,4 +55,5 @@ def add_fluid_forces(
                 laplacian = viscosity_laplacian(r_squared, fluid.support)
                 viscous_sum += (velocity[j] - u_i) * (mu_ij * volume[j] * laplacian)
         force = viscous_sum * fluid.viscosity_scale - pressure_sum * fluid.pressure_scale
-        acceleration[i] = force / density[i] + acceleration[i]  # Vijaykumar (2.6)
+        # Vijaykumar (2.6), for a solid of another density by its own mass
+        acceleration[i] = force / density[i] * (fluid_mass[i] / mass[i]) + acceleration[i]

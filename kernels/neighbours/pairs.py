@@ -27,3 +27,9 @@ def entry_of(neighbours: NeighbourList, i: int, k: int) -> int:
 @wp.func
 def index_of(entry: int) -> int:
     return wp.where(entry < 0, -1 - entry, entry)
+
+
+@wp.func
+def precise_difference(position: wp.array[wp.vec3], position_carry: wp.array[wp.vec3], i: int, j: int) -> wp.vec3:
+    """x_i - x_j with what single precision has lost of both: for bonds, where a small difference of it is a strain."""
+    return (position[i] - position[j]) - (position_carry[i] - position_carry[j])

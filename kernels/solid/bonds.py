@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Phase
 from warpsph.kernels.basics.smoothing import sine_slope, sine_value
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of, precise_difference
 
 wp.set_module_options({"enable_backward": False})
 
@@ -37,12 +37,15 @@ def update_bonds(
     scale: float,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
+    position_carry: wp.array[wp.vec3],
+    body: wp.array[int],
     phase: wp.array[int],
     froze: wp.array[int],
     bonds: BondList,
     longest_bond_row: wp.array[int],
 ):
-    """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``.
+    """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``,
+    of the same ``body``.
 
     A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
     equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is
@@ -60,8 +63,8 @@ def update_bonds(
                     n += 1
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            if phase[j] == Phase.SOLID and (froze[i] != 0 or froze[j] != 0):
-                d = position[i] - position[j]
+            if phase[j] == Phase.SOLID and body[j] == body[i] and (froze[i] != 0 or froze[j] != 0):
+                d = precise_difference(position, position_carry, i, j)
                 if wp.dot(d, d) < reach * reach:
                     if n < bonds.capacity:
                         bonds.partner[row + n] = j
@@ -72,6 +75,27 @@ def update_bonds(
         if n > bonds.capacity:
             wp.atomic_max(longest_bond_row, 0, n)
     bonds.count[i] = wp.min(n, bonds.capacity)
+
+
+@wp.kernel
+def join_body(
+    first: int,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    phase: wp.array[int],
+    froze: wp.array[int],
+    body: wp.array[int],
+):
+    """Let what just ``froze`` join the ``body`` (n,) of the nearest particle that was solid before, if there is one."""
+    i = wp.tid() + first
+    if froze[i] != 0:
+        nearest = float(1.0e30)
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            d = position[i] - position[j]
+            if phase[j] == Phase.SOLID and froze[j] == 0 and wp.dot(d, d) < nearest:
+                nearest = wp.dot(d, d)
+                body[i] = body[j]
 
 
 @wp.kernel

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import NEAREST
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of, precise_difference
 
 wp.set_module_options({"enable_backward": False})
 
@@ -23,6 +23,7 @@ def add_contact_forces(
     contact: ContactConstants,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
+    position_carry: wp.array[wp.vec3],
     role: wp.array[int],
     body: wp.array[int],
     mass: wp.array[float],
@@ -36,12 +37,11 @@ def add_contact_forces(
     """
     i = wp.tid() + first
     if role[i] == Role.FREE:
-        x_i = position[i]
         force = wp.vec3()
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if body[j] != body[i]:
-                d = x_i - position[j]
+                d = precise_difference(position, position_carry, i, j)
                 r = wp.max(wp.length(d), NEAREST * contact.reach)
                 depth = wp.max(1.0 - r / contact.reach, 0.0)
                 force += d * (contact.strength * depth * depth * depth * depth / r)

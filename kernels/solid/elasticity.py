@@ -3,11 +3,15 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.neighbours.pairs import precise_difference
 from warpsph.kernels.solid.bonds import BondList
 
 wp.set_module_options({"enable_backward": False})
 
-SMALLEST_DETERMINANT = wp.constant(0.15)
+# Of the eigenvalues of a moment matrix, which are 1 inside a body: the smallest over the largest, 0.3 in a corner of a
+# cube, 0 in a row or a pair; and the smallest, because its inverse is how much stiffer a particle of few bonds is made.
+WORST_CONDITION = wp.constant(0.1)
+SMALLEST_MOMENT = wp.constant(0.06)
 
 
 @wp.struct
@@ -49,8 +53,8 @@ def invert_moments(
 ):
     """Renew every moment matrix after bonds have changed.
 
-    ``correction`` (n,) is the inverse of the moment matrix of each particle's bonds, the identity where that is nearly
-    singular.
+    ``correction`` (n,) is the inverse of the moment matrix of each particle's bonds, the identity where these do not
+    span the space.
     """
     i = wp.tid() + first
     if bonds.count[i] > 0:
@@ -60,12 +64,12 @@ def invert_moments(
             X = bonds.separation[place]
             moment -= wp.outer(X, X) * (body_volume[bonds.partner[place]] * bonds.slope[place])
         if elastic.planar != 0:
-            moment[2, 2] = 1.0
-        identity = wp.identity(n=3, dtype=float)
-        if elastic.corrected != 0 and wp.determinant(moment) > SMALLEST_DETERMINANT:
+            moment[2, 2] = 0.5 * (moment[0, 0] + moment[1, 1])  # between the other two, so that it decides nothing
+        _, spread = wp.eig3(moment)
+        correction[i] = wp.identity(n=3, dtype=float)
+        smallest = wp.min(spread)
+        if elastic.corrected != 0 and smallest > wp.max(SMALLEST_MOMENT, WORST_CONDITION * wp.max(spread)):
             correction[i] = wp.inverse(moment)
-        else:
-            correction[i] = identity
 
 
 @wp.kernel
@@ -74,6 +78,7 @@ def find_stress(
     elastic: ElasticConstants,
     bonds: BondList,
     position: wp.array[wp.vec3],
+    position_carry: wp.array[wp.vec3],
     body_volume: wp.array[float],
     correction: wp.array[wp.mat33],
     deformation: wp.array[wp.mat33],
@@ -87,13 +92,12 @@ def find_stress(
     """
     i = wp.tid() + first
     if bonds.count[i] > 0:
-        x_i = position[i]
         gradient = wp.mat33()
         for b in range(bonds.count[i]):
             place = i * bonds.capacity + b
             j = bonds.partner[place]
             X = bonds.separation[place]
-            u_ij = position[j] - x_i + X  # Vijaykumar (4.6)
+            u_ij = X - precise_difference(position, position_carry, i, j)  # Vijaykumar (4.6)
             gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
         gradient = gradient * correction[i]
         identity = wp.identity(n=3, dtype=float)
@@ -110,6 +114,7 @@ def add_elastic_forces(
     elastic: ElasticConstants,
     bonds: BondList,
     position: wp.array[wp.vec3],
+    position_carry: wp.array[wp.vec3],
     role: wp.array[int],
     mass: wp.array[float],
     body_volume: wp.array[float],
@@ -123,7 +128,6 @@ def add_elastic_forces(
     """
     i = wp.tid() + first
     if bonds.count[i] > 0 and role[i] == Role.FREE:
-        x_i = position[i]
         F_i = deformation[i]
         P_i = stress[i]
         force = wp.vec3()
@@ -136,7 +140,7 @@ def add_elastic_forces(
             force += (P_i + stress[j]) * (X * (v_j * bonds.slope[place]))
             if elastic.hourglass > 0.0:
                 # Ganzenmueller (2015), equations 17-20
-                x = x_i - position[j]
+                x = precise_difference(position, position_carry, i, j)
                 miss = wp.dot((F_i + deformation[j]) * X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
                 weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
                 force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)

@@ -74,16 +74,17 @@ class ShellWatch:
     def restore(self, memory: dict[str, Any]) -> None:
         self._noted, self._before = set(memory["noted"]), list(memory["before"])
 
-    def zone_text(self, height: float) -> str:
-        """Where a height [m] is, in words."""
+    def zone_text(self, height: float, time: float) -> str:
+        """Where a height [m] is at a time [s], in words."""
         zone = self.case.zone_at(height)
         if zone is None:
             return "in the mould"
-        failed = self.case.spray_failure is not None and zone in self.case.spray_failing
+        failure = self.case.spray_failure
+        failed = failure is not None and time >= failure and zone in self.case.spray_failing
         return f"zone {zone} ({'failed' if failed else 'sprayed'})"
 
     def _note_at(self, time: float, kind: str, height: float) -> None:
-        self._once(time, kind, f"{kind} at {height:.3f} m, {self.zone_text(height)}")
+        self._once(time, kind, f"{kind} at {height:.3f} m, {self.zone_text(height, time)}")
 
     def _watch_thickness(self, time: float, heights: np.ndarray, thickness: np.ndarray) -> None:
         failure = self.case.spray_failure
@@ -103,7 +104,7 @@ class ShellWatch:
             place = int(np.argmin(share))
             if share[place] < THIN:
                 text = f"the shell thins: {1e3 * thickness[place]:.1f} mm at {heights[place]:.3f} m"
-                self._once(time, "thinning", f"{text}, {self.zone_text(heights[place])}")
+                self._once(time, "thinning", f"{text}, {self.zone_text(heights[place], time)}")
 
     def _once(self, time: float, kind: str, text: str) -> None:
         if kind not in self._noted:

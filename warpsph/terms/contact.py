@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-from warpsph.core.field import Field
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
@@ -23,7 +22,7 @@ class Contact(Term):
     needs = ("elasticity",)
     follows = ("elasticity",)
 
-    body = Field(int, "", "to which body it belongs")
+    body = Elasticity.body
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"contact": contact_constants(model)}

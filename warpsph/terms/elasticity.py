@@ -17,7 +17,14 @@ from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.neighbours.cells import clear
 from warpsph.kernels.neighbours.lists import clear_flag
 from warpsph.kernels.neighbours.reorder import invert
-from warpsph.kernels.solid.bonds import BondList, copy_bonds, mark_bonded_neighbours, move_bonds, update_bonds
+from warpsph.kernels.solid.bonds import (
+    BondList,
+    copy_bonds,
+    join_body,
+    mark_bonded_neighbours,
+    move_bonds,
+    update_bonds,
+)
 from warpsph.kernels.solid.elasticity import (
     ElasticConstants,
     add_elastic_forces,
@@ -37,6 +44,8 @@ SHORTEST_BOND = 0.65
 class Elasticity(Term):
     """Elastic solid of bonded particles (Vijaykumar 2012, chapter 4).
 
+    Bonds join neighbours of the same ``body``; melt that freezes joins the body of the nearest particle that is solid.
+
     Args:
         youngs_modulus: E [Pa].
         poisson_ratio: nu.
@@ -54,6 +63,7 @@ class Elasticity(Term):
     follows = ("fluid", "density", "a change of phase", "surface tension")
 
     froze = PhaseChange.froze
+    body = Field(int, "", "to which body it belongs")
     body_volume = Field(float, "m^3", "volume when it turned solid (area in 2D)")
     correction = Field(wp.mat33, "", "inverse moment matrix of the bonds")
     deformation = Field(wp.mat33, "", "deformation gradient")
@@ -90,10 +100,9 @@ class Elasticity(Term):
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         """The elastic wave, and the melt's sound with it, across half a spacing: bonds may be shorter than one."""
+        wave = max((self.wave_speed(model.materials[m].density) for m in moving), default=0.0)
         if fluid := model.find(Fluid):
-            wave = np.hypot(self.wave_speed(fluid.reference_density), fluid.sound_speed)
-        else:
-            wave = max((self.wave_speed(model.materials[m].density) for m in moving), default=0.0)
+            wave = float(np.hypot(wave, fluid.sound_speed))
         return {"elastic wave": 0.5 * model.spacing / wave} if wave > 0.0 else {}
 
     def initialise(self, launch: Launch) -> None:
@@ -124,6 +133,7 @@ class Elasticity(Term):
     def _renew_bonds(self, launch: Launch) -> None:
         if "density" in launch:
             launch(settle_volume)
+        launch(join_body)
         self._bond_solids(launch)
 
     def _bond_solids(self, launch: Launch) -> None:

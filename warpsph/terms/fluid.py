@@ -6,18 +6,21 @@ import numpy as np
 
 from warpsph.core.equation_of_state import stiffness
 from warpsph.core.field import Field
-from warpsph.core.labels import Role
+from warpsph.core.labels import Phase, Role
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import InputError
 from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.fluid import FluidConstants
 from warpsph.kernels.flow.forces import add_fluid_forces
 from warpsph.kernels.flow.wall_pressure import extrapolate_pressure
+from warpsph.terms.phase_change import PhaseChange
 
+SAME_DENSITY = 1.0e-6  # relative difference
 SOUND_LIMIT = 5.0  # times the speed of sound, at which a run counts as diverged
 
 
@@ -56,10 +59,14 @@ class Fluid(Term):
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         fluid_mass = np.where(particles.flows, self.particle_mass(model), 0.0)
-        moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR))
+        moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
+        flowing = moves & (fields["phase"] != Phase.SOLID)
+        self._refuse_other_densities(model, fields["material"][moves if model.find(PhaseChange) else flowing])
+        densities = np.array([material.density for material in model.materials])[fields["material"]]
+        like_the_fluid = np.abs(densities / self.reference_density - 1.0) < SAME_DENSITY
         return {
             "fluid_mass": fluid_mass,
-            "mass": np.where(moves & particles.flows, fluid_mass, fields["mass"]),
+            "mass": np.where(flowing | (moves & like_the_fluid), fluid_mass, fields["mass"]),
             "volume": fluid_mass / self.reference_density,
             "viscosity": np.array([material.viscosity for material in model.materials])[fields["material"]],
         }
@@ -69,6 +76,16 @@ class Fluid(Term):
 
     def reach(self, model: Model) -> float:
         return model.support
+
+    def _refuse_other_densities(self, model: Model, materials: np.ndarray) -> None:
+        """Its sums know one density: of all that flows, or can melt."""
+        for index in np.unique(materials):
+            material = model.materials[index]
+            if abs(material.density / self.reference_density - 1.0) > SAME_DENSITY:
+                raise InputError(
+                    f"Fluid: {material.name} of {material.density:g} kg/m^3 flows or can melt, but this formulation "
+                    f"knows one density of fluids, {self.reference_density:g} kg/m^3; give them the same"
+                )
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         """Vijaykumar (2012), equation (7.6) with h = H/2, because the formula comes from a kernel with support 2h."""

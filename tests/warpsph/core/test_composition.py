@@ -99,7 +99,7 @@ def test_a_part_belongs_to_one_simulation():
     gauge = LevelGauge((0.0, 0.0, -1.0), (1.0, 1.0, 1.0), 0.1, 0.01, area_ratio=1.0)
     particles = Particles()
     particles.add(np.zeros((1, 3)), Role.FREE)
-    model = Model(2, 0.1, (COPPER,), (FLUID, SummedDensity(), Conduction()))
+    model = Model(2, 0.1, (inert("water", 1000.0),), (FLUID, SummedDensity(), Conduction()))
     Simulation(Executor("cpu", 1), model, particles, parts=[gauge])
     with pytest.raises(InputError, match="LevelGauge belongs to another simulation"):
         Simulation(Executor("cpu", 1), model, particles, parts=[gauge])
