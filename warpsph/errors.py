@@ -13,6 +13,16 @@ class InputError(WarpsphError):
     exit_code = 2
 
 
+def require(owner: object, name: str, holds: bool, allowed: str) -> None:
+    """Refuse the value of an argument unless something ``holds`` of it.
+
+    Raises:
+        InputError: one line with the owner, the argument, what was given and what is ``allowed``.
+    """
+    if not holds:
+        raise InputError(f"{type(owner).__name__}: {name} = {getattr(owner, name)!r}: must be {allowed}")
+
+
 class DivergenceError(WarpsphError):
     """The simulation left the physical range: which particle, where, which quantity, at what time."""
 

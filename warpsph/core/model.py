@@ -4,9 +4,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeVar
 
+import numpy as np
+
 from warpsph.core.lattice import Lattice
 from warpsph.core.materials import Material
-from warpsph.errors import InputError
+from warpsph.errors import InputError, require
 from warpsph.nearest import did_you_mean
 
 GRAVITY = 9.81  # [m/s^2]
@@ -27,7 +29,7 @@ class Model:
         gravity: [m/s^2].
 
     Raises:
-        InputError: two materials have the same name.
+        InputError: an argument is out of bounds, or two materials have the same name.
     """
 
     dimension: int
@@ -38,6 +40,11 @@ class Model:
     gravity: tuple[float, float, float] = (0.0, -GRAVITY, 0.0)
 
     def __post_init__(self) -> None:
+        require(self, "dimension", self.dimension in (2, 3), "2 or 3")
+        require(self, "spacing", 0.0 < self.spacing < np.inf, "positive [m]")
+        require(self, "support_ratio", 1.2 <= self.support_ratio <= 10.0, "from 1.2 to 10 spacings, for neighbours")
+        require(self, "gravity", len(self.gravity) == 3 and bool(np.all(np.isfinite(self.gravity))), "three numbers")
+        require(self, "materials", len(self.materials) > 0, "one material or more")
         names = [material.name for material in self.materials]
         for name in names:
             if names.count(name) > 1:

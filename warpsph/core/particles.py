@@ -55,12 +55,22 @@ class Particles:
             flows: whether they count in the sums of the fluid.
             fields: values of any field that a term of the model declares, by its name: ``temperature`` [K]; ``held``,
                 whether the temperature stays and the heat they take is counted; ``body``, to which they belong.
+
+        Raises:
+            InputError: places are not (n, 3), or not finite.
         """
+        position = np.asarray(position, float)
+        if position.ndim != 2 or position.shape[1] != 3:
+            raise InputError(
+                f"particles: position has the shape {position.shape}; give (n, 3), in the plane with z = 0"
+            )
+        if bad := int(np.sum(~np.all(np.isfinite(position), axis=1))):
+            raise InputError(f"particles: position: {bad} of {len(position)} are not finite numbers")
         n = len(position)
         given = {"velocity": velocity, "phase": phase} | fields
         self.blocks.append(
             Block(
-                np.asarray(position, float),
+                position,
                 np.broadcast_to(np.asarray(role, np.int32), n),
                 material,
                 np.broadcast_to(np.asarray(volume, float), n),

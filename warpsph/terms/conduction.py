@@ -13,6 +13,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
 
@@ -30,6 +31,13 @@ class Conduction(Term):
 
     contact: dict[tuple[str, str], float] = field(default_factory=dict)
     longest_interval: float = 1.0e-3
+
+    def __post_init__(self) -> None:
+        require(self, "longest_interval", self.longest_interval > 0.0, "positive [s]")
+        for pair, conductivity in self.contact.items():
+            require(
+                self, "contact", len(pair) == 2 and 0.0 <= conductivity < np.inf, "conductivities by pair of materials"
+            )
 
     provides = ("conduction",)
 

@@ -13,6 +13,7 @@ from warpsph.core.neighbours import refuse_overflow
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.neighbours.cells import clear
 from warpsph.kernels.neighbours.lists import clear_flag
@@ -57,6 +58,11 @@ class Elasticity(Term):
     poisson_ratio: float
     corrected: bool = True
     hourglass: float = 0.1
+
+    def __post_init__(self) -> None:
+        require(self, "youngs_modulus", 0.0 < self.youngs_modulus < np.inf, "positive [Pa]")
+        require(self, "poisson_ratio", -1.0 < self.poisson_ratio < 0.5, "between -1 and 0.5 (an incompressible solid)")
+        require(self, "hourglass", 0.0 <= self.hourglass < np.inf, "zero or positive")
 
     provides = ("elasticity",)
     needs = ("forces",)

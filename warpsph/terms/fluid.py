@@ -12,7 +12,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import InputError
+from warpsph.errors import InputError, require
 from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.fluid import FluidConstants
@@ -41,6 +41,10 @@ class Fluid(Term):
     reference_density: float
     sound_speed: float
     tension: bool = False
+
+    def __post_init__(self) -> None:
+        require(self, "reference_density", 0.0 < self.reference_density < np.inf, "positive [kg/m^3]")
+        require(self, "sound_speed", 0.0 < self.sound_speed < np.inf, "positive [m/s]")
 
     provides = ("fluid",)
     needs = ("forces", "density")

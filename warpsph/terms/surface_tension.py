@@ -10,6 +10,7 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.surface_tension import SurfaceConstants, add_surface_tension, find_surface_normal
 from warpsph.terms.fluid import Fluid
@@ -26,6 +27,10 @@ class SurfaceTension(Term):
 
     coefficient: float
     threshold: float = 0.15
+
+    def __post_init__(self) -> None:
+        require(self, "coefficient", 0.0 < self.coefficient < float("inf"), "positive [N/m]")
+        require(self, "threshold", 0.0 <= self.threshold < float("inf"), "zero or positive")
 
     provides = ("surface tension",)
     needs = ("fluid", "a density by continuity")
