@@ -57,8 +57,8 @@ def watch(
 ):
     """Raise ``outdated`` where a particle is farther from its ``reference`` position than allowed, and note a runaway.
 
-    ``farthest_squared`` [m^2]; ``runaway`` (1,) becomes 1 + the index of a particle whose speed is not a number, or its
-    square not below ``speed_limit_squared`` [m^2/s^2].
+    ``farthest_squared`` [m^2]; ``runaway`` (1,) becomes 1 + the index of a particle whose place is not a number, or the
+    square of whose speed is not below ``speed_limit_squared`` [m^2/s^2].
     """
     i = wp.tid() + first
     if role[i] != Role.RESERVOIR:
@@ -66,7 +66,7 @@ def watch(
         if wp.dot(d, d) > farthest_squared:
             outdated[0] = 1
         u = velocity[i]
-        if not (wp.dot(u, u) < speed_limit_squared):
+        if not (wp.dot(u, u) < speed_limit_squared) or not wp.isfinite(wp.dot(d, d)):
             runaway[0] = i + 1
 
 

@@ -47,8 +47,11 @@ def render(
     if movie and cut is not None:
         raise InputError("--cut and --movie exclude each other: a movie shows everything")
     plane = _plane(cut)
-    picture = _target(file, field, output, suffix=".mp4" if movie else ".png")
+    suffix = ".mp4" if movie else ".png"
+    if output is not None:
+        check_target(output, suffix)
     result = ResultFile(file)
+    picture = output or _beside(file, field, suffix)
     if time is not None:
         _check_time(result, time)
     _draw(result, picture, field, time, movie, plane)
@@ -83,11 +86,9 @@ def _plane(cut: str | None) -> tuple[int, float] | None:
         raise InputError(f"--cut '{cut}': give an axis and a place in metres, for example z=0.03") from None
 
 
-def _target(file: Path, field: str | None, output: Path | None, suffix: str) -> Path:
-    if output is None:
-        return file.with_name(f"{file.stem}-{field}{suffix}" if field else f"{file.stem}{suffix}")
-    check_target(output, suffix)
-    return output
+def _beside(file: Path, field: str | None, suffix: str) -> Path:
+    ending = "" if field is None else f"-{field.replace('/', ' ')}"
+    return file.with_name(f"{file.stem}{ending}{suffix}")
 
 
 def _check_time(result: ResultFile, time: float) -> None:

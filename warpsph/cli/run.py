@@ -105,8 +105,7 @@ def _layers(
 
 def _target(output: Path | None, default_stem: str, overwrite: bool) -> Path:
     path = output or RESULTS / f"{default_stem}.vtkhdf"
-    if output is not None:
-        check_target(output, ".vtkhdf")
+    check_target(path, ".vtkhdf", made_by_us=path.parent == RESULTS)
     if path.exists() and not overwrite:
         raise InputError(f"{path}: exists already; choose another name with --output, or give --overwrite")
     return path

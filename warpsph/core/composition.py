@@ -21,6 +21,9 @@ def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
     for term in (*model.terms, *parts):
         if not isinstance(term, Term):
             raise InputError(f"terms: {term!r} is not a term; give instances such as {_name(Motion)}()")
+        for relation in ("provides", "needs", "follows"):
+            if isinstance(getattr(term, relation), str):
+                raise InputError(f"{_name(term)}.{relation} is a text; give a tuple of texts, with a comma at its end")
         terms.append(term)
     for built_in in (Dynamics(), Motion()):
         wanted = isinstance(built_in, Motion) or any(set(built_in.provides) & set(term.needs) for term in terms)
@@ -58,13 +61,17 @@ def _ordered(terms: list[Term]) -> list[Term]:
     """The terms so that each comes after what it follows, otherwise as they were given."""
     left, done = list(terms), []
     while left:
-        waiting = {what for term in left for what in term.provides}
-        ready = next((term for term in left if not waiting - set(term.provides) & set(term.follows)), None)
-        if ready is None:
+        place = next((k for k, term in enumerate(left) if not any(_waits_for(term, other) for other in left)), None)
+        if place is None:
             raise InputError(f"terms wait for each other: {', '.join(map(_name, left))}")
-        left.remove(ready)
-        done.append(ready)
+        done.append(left.pop(place))
     return done
+
+
+def _waits_for(term: Term, other: Term) -> bool:
+    """Whether a term acts after another one: it follows it, or needs it without being needed by it."""
+    needed = set(term.needs) & set(other.provides) and not set(other.needs) & set(term.provides)
+    return term is not other and bool(needed or set(term.follows) & set(other.provides))
 
 
 def _remedy(what: str) -> str:

@@ -14,6 +14,7 @@ Start = float | Callable[[Any], float]  # a number, or what finds it from the mo
 Starts = Sequence[float] | np.ndarray
 
 SHAPES: dict[Any, tuple[int, ...]] = {wp.vec3: (3,), wp.mat33: (3, 3)}
+DTYPES = (int, float, wp.float64, wp.vec3, wp.mat33)
 WRITABLE = (int, float, wp.float64, wp.vec3)
 
 
@@ -51,6 +52,9 @@ class Field:
     name = ""
 
     def __post_init__(self) -> None:
+        if self.dtype not in DTYPES:
+            allowed = "int, float, wp.float64, wp.vec3 or wp.mat33"
+            raise TypeError(f"field '{self.label}': dtype {self.dtype} is not one of {allowed}")
         if self.written and not (self.dtype in WRITABLE and self.kept):
             raise TypeError(f"field '{self.label}': only kept numbers and vectors can be written to frames")
         if self.renewed and isinstance(self.start, float | int) and self.dtype in SHAPES and self.start != 0.0:

@@ -4,6 +4,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Field, Value, declared
+from warpsph.core.labels import Phase
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
@@ -18,16 +19,29 @@ def initial_state(model: Model, particles: Particles, device: wp.Device) -> Stat
         InputError: a material is unknown, two terms declare one name differently, or the particles were given values
             that no term of the case knows.
     """
-    if len(particles) == 0:
-        raise InputError("particles: there is none; add some before the simulation is built")
     fields = _declared_fields(model)
     for name in particles.given:
+        if name in ("id", "role", "material", "position"):
+            raise InputError(
+                f"particles: '{name}' is not given as a field; ids are numbered, the rest has its argument"
+            )
         if name not in fields:
             raise InputError(f"particles: no term of this case has a field '{name}'{did_you_mean(name, fields)}")
     starts = {name: particles.column(name, field.shape, field.start_value(model)) for name, field in fields.items()}
-    starts |= _identity(model, particles)
+    for name in particles.given:
+        _refuse_misfits(fields[name], starts[name])
+    given = {name: particles.was_given(name) for name in particles.given}
+
+    def take(found: dict[str, np.ndarray], finder: str) -> None:
+        for name, values in found.items():
+            if name not in fields:
+                raise InputError(f"{finder}.start: there is no field '{name}'{did_you_mean(name, fields)}")
+            starts[name] = _where_not_given(given.get(name), starts[name], values)
+
+    take(_identity(model, particles), "particles")
     for term in model.terms:
-        starts |= term.start(model, particles, starts)
+        take(term.start(model, particles, starts), type(term).__name__)
+    _refuse_depth(model, starts)
     state = State(len(particles), device)
     for name, field in fields.items():
         state.add(field, starts[name])
@@ -35,12 +49,43 @@ def initial_state(model: Model, particles: Particles, device: wp.Device) -> Stat
     return state
 
 
+def _where_not_given(given: np.ndarray | None, own: np.ndarray, found: np.ndarray) -> np.ndarray:
+    """Start values that were found (n, ...), but what particles were ``given`` stays their own."""
+    if given is None or np.shape(found) != np.shape(own):
+        return found
+    return np.where(given.reshape(-1, *[1] * (own.ndim - 1)), own, found)
+
+
+def _refuse_misfits(field: Field, values: np.ndarray) -> None:
+    """Numbers that were given to particles must be finite, and whole where the field is of integers."""
+    if not np.issubdtype(values.dtype, np.number) and values.dtype != bool:
+        raise InputError(f"particles: '{field.name}' was given {values.dtype} values; numbers are needed")
+    if not np.all(np.isfinite(values)):
+        raise InputError(f"particles: '{field.name}' was given values that are not finite numbers")
+    if field.dtype is int and (np.any(values != np.round(values)) or np.any(np.abs(values) > 2**31 - 1)):
+        raise InputError(f"particles: '{field.name}' was given values that are not integers of 32 bits")
+    if field.name == "phase" and not np.all(np.isin(values, list(Phase))):
+        raise InputError(f"particles: 'phase' must be one of {', '.join(f'Phase.{phase.name}' for phase in Phase)}")
+
+
+def _refuse_depth(model: Model, starts: dict[str, np.ndarray]) -> None:
+    """In the plane nothing has a third coordinate."""
+    if model.dimension == 2:
+        for name in ("position", "velocity"):
+            if np.any(starts[name][:, 2] != 0.0):
+                raise InputError(f"particles: a {name} has a third coordinate that is not 0, in two dimensions")
+
+
 def _declared_fields(model: Model) -> dict[str, Field]:
     fields: dict[str, Field] = {}
     for term in model.terms:
         for field in declared(type(term), Field):
             if fields.setdefault(field.name, field) is not field:
-                raise InputError(f"{type(term).__name__}: another term has a field '{field.name}' of its own")
+                other = next(o for o in model.terms if field.name in {f.name for f in declared(type(o), Field)})
+                raise InputError(
+                    f"{type(other).__name__} and {type(term).__name__} both declare a field '{field.name}'; share one "
+                    f"declaration ({field.name} = {type(other).__name__}.{field.name}) or choose another name"
+                )
     return fields
 
 

@@ -74,7 +74,7 @@ class Launch:
         scopes: list[Mapping[str, Any]] = [given, *self.scopes]
         for name in names:
             if not any(name in scope for scope in scopes):
-                known = {known for scope in scopes for known in scope}
+                known = sorted({known for scope in scopes for known in scope if "." not in known})
                 raise TypeError(
                     f"kernel {kernel.key} asks for '{name}', but no field, value, list or constant is called so"
                     f"{did_you_mean(name, known)}"

@@ -44,6 +44,9 @@ class Model:
         require(self, "spacing", 0.0 < self.spacing < np.inf, "positive [m]")
         require(self, "support_ratio", 1.2 <= self.support_ratio <= 10.0, "from 1.2 to 10 spacings, for neighbours")
         require(self, "gravity", len(self.gravity) == 3 and bool(np.all(np.isfinite(self.gravity))), "three numbers")
+        require(self, "terms", isinstance(self.terms, tuple | list), "a tuple of terms")
+        planar = self.dimension == 2 and self.gravity[2] != 0.0
+        require(self, "gravity", not planar, "in the plane: its third number is 0 in two dimensions")
         require(self, "materials", len(self.materials) > 0, "one material or more")
         names = [material.name for material in self.materials]
         for name in names:

@@ -8,7 +8,7 @@ import warp as wp
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
-from warpsph.errors import DivergenceError
+from warpsph.errors import DivergenceError, InputError
 from warpsph.kernels.neighbours.cells import (
     Grid,
     clear,
@@ -22,6 +22,7 @@ from warpsph.kernels.neighbours.pairs import NeighbourList
 from warpsph.kernels.neighbours.reorder import COPY, GATHER
 from warpsph.kernels.neighbours.scan import PARTS, sum_before_parts, sum_parts, sum_within_parts
 
+MOST_CELLS = 2**25
 CIRCLE_OR_SPHERE = {2: np.pi, 3: 4.0 / 3.0 * np.pi}
 
 
@@ -42,6 +43,9 @@ class Neighbours:
         lower, upper: the box (3,) that holds most particles [m]; others are found too, only slower.
         on_sorted: done when the particles have been sorted; ``order`` and ``place`` are known to its launches.
         on_listed: done when the list has been made.
+
+    Raises:
+        InputError: the box is too large for the reach.
     """
 
     def __init__(
@@ -144,6 +148,12 @@ def _grid(lower: np.ndarray, upper: np.ndarray, size: float) -> Grid:
     grid = Grid()
     grid.origin = wp.vec3(*lower)
     grid.inverse_size = 1.0 / size
-    shape = np.maximum(np.ceil((upper - lower) / size).astype(int), 1)
+    cells = np.maximum(np.ceil((upper - lower) / size), 1.0)
+    if np.prod(cells) > MOST_CELLS:
+        raise InputError(
+            f"the box from {tuple(lower)} to {tuple(upper)} m has {np.prod(cells):.2g} cells of {size:.3g} m, "
+            f"{MOST_CELLS:.2g} at most; give lower and upper around where most particles are"
+        )
+    shape = cells.astype(int)
     grid.nx, grid.ny, grid.nz = (int(m) for m in shape)
     return grid

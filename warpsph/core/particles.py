@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -57,9 +58,14 @@ class Particles:
                 whether the temperature stays and the heat they take is counted; ``body``, to which they belong.
 
         Raises:
-            InputError: places are not (n, 3), or not finite.
+            InputError: places are not (n, 3), or not finite; roles, volumes or flows are not what they must be.
         """
-        position = np.asarray(position, float)
+        try:
+            position = np.asarray(position, float)
+        except (TypeError, ValueError):
+            raise InputError("particles: position is no array of numbers; give (n, 3)") from None
+        if position.size == 0:
+            position = position.reshape(0, 3)
         if position.ndim != 2 or position.shape[1] != 3:
             raise InputError(
                 f"particles: position has the shape {position.shape}; give (n, 3), in the plane with z = 0"
@@ -71,10 +77,10 @@ class Particles:
         self.blocks.append(
             Block(
                 position,
-                np.broadcast_to(np.asarray(role, np.int32), n),
+                _one_each("role", role, n, "one of Role", list(Role)).astype(np.int32),
                 material,
-                np.broadcast_to(np.asarray(volume, float), n),
-                np.broadcast_to(np.asarray(flows, bool), n),
+                _one_each("volume", volume, n, "zero or positive [m^3 or m^2]").astype(float),
+                _one_each("flows", flows, n, "true or false", [False, True]).astype(bool),
                 {name: np.array(value) for name, value in given.items()},
             )
         )
@@ -99,6 +105,10 @@ class Particles:
         """Which particles (n,) count in the sums of the fluid."""
         return np.concatenate([block.flows for block in self.blocks] or [np.zeros(0, bool)])
 
+    def was_given(self, name: str) -> np.ndarray:
+        """Which particles (n,) have been given a value of a field."""
+        return np.concatenate([np.full(len(block.position), name in block.values) for block in self.blocks])
+
     @property
     def given(self) -> list[str]:
         """Names of the fields of which some particles have been given values."""
@@ -121,6 +131,15 @@ class Particles:
                     f"{shape} or one each {(n, *shape)}"
                 ) from None
         return np.concatenate(columns)
+
+
+def _one_each(name: str, value: Any, n: int, allowed: str, of: Sequence[Any] | None = None) -> np.ndarray:
+    """One value for each of n particles (n,), of those that are allowed, or else zero or positive."""
+    values = np.asarray(value)
+    right = values.shape in ((), (n,)) and values.dtype.kind in "biuf"
+    if not right or not np.all(np.isin(values, of) if of is not None else (values >= 0.0) & np.isfinite(values)):
+        raise InputError(f"particles: {name} = {value!r}: must be {allowed}, one for all or one for each of {n}")
+    return np.broadcast_to(values, n)
 
 
 def lattice(lower: Sequence[float], upper: Sequence[float], spacing: float) -> np.ndarray:

@@ -40,7 +40,14 @@ class Registry:
         return arrays | {name: deepcopy(owner.memory()) for name, owner in self.memories.items()}
 
     def load(self, saved: dict[str, Any]) -> None:
-        """Become as it was at :meth:`save`."""
+        """Become as it was at :meth:`save`.
+
+        Raises:
+            ValueError: what was saved belongs to another case.
+        """
+        for name in (*self.arrays, *self.memories):
+            if name not in saved or (name in self.arrays and saved[name].shape != self.arrays[name].numpy().shape):
+                raise ValueError(f"what was saved belongs to another case: '{name}' is missing or has another shape")
         for name, array in self.arrays.items():
             array.assign(np.ascontiguousarray(saved[name]))
         for name, owner in self.memories.items():

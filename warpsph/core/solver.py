@@ -13,6 +13,7 @@ from warpsph.core.model import Model
 from warpsph.core.neighbours import Neighbours
 from warpsph.core.state import State
 from warpsph.core.term import MOMENTS, Term, acts_at
+from warpsph.errors import InputError
 
 
 class Solver:
@@ -56,6 +57,9 @@ class Solver:
             "gravity": wp.vec3(*model.gravity),
             "speed_limit_squared": speed_limit**2,
         }
+        for name in (*self._constants, "farthest_squared"):
+            if hasattr(state, name):
+                raise InputError(f"a field cannot be called '{name}': a constant of every kernel has that name")
         shared = ChainMap(self._constants, state.arrays, state.values, state.lists, state.scratch)
         self.launch = Launch(executor, state.count, shared)
         terms: list[Term] = list(model.terms)
@@ -74,9 +78,9 @@ class Solver:
         self._constants["farthest_squared"] = self.neighbours.half_skin**2
         for term in terms:
             term.allocate(model, state)
-        launches = {term: self.launch.within(term.arrays, term.constants(model, state)) for term in terms}
+        launches = [self.launch.within(term.arrays, term.constants(model, state)) for term in terms]
         self._acts = {
-            moment: [(term, launches[term]) for term in terms if acts_at(term, moment)]
+            moment: [(term, launch) for term, launch in zip(terms, launches, strict=True) if acts_at(term, moment)]
             for moment in (*MOMENTS, "initialise", "follow_sorting", "follow_listing")
         }
         self.terms = terms

@@ -49,9 +49,14 @@ class State:
         """Add the array of a field with its start ``values`` (n, ...).
 
         Raises:
-            ValueError: something of that name is there already.
+            InputError: something of that name is there already, or the values are not one for each particle.
         """
         self._refuse_taken(field.name)
+        if np.shape(values) != (self.count, *field.shape):
+            raise InputError(
+                f"field '{field.name}': start values of shape {np.shape(values)}; {self.count} particles need "
+                f"{(self.count, *field.shape)}"
+            )
         self.fields[field.name] = field
         self.arrays[field.name] = field.array(values, self.device)
         if field.compensated:
@@ -100,4 +105,4 @@ class State:
 
     def _refuse_taken(self, name: str) -> None:
         if not name or hasattr(self, name):
-            raise ValueError(f"the name '{name}' is taken: an array, a list or an attribute of the state is called so")
+            raise InputError(f"the name '{name}' is taken: an array, a list or an attribute of the state is called so")

@@ -5,6 +5,7 @@ from typing import Any, ClassVar
 import numpy as np
 import warp as wp
 
+from warpsph.core.field import Field, Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
@@ -32,6 +33,12 @@ class Term:
     provides: ClassVar[tuple[str, ...]] = ()
     needs: ClassVar[tuple[str, ...]] = ()
     follows: ClassVar[tuple[str, ...]] = ()
+
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        super().__init_subclass__(**kwargs)
+        for name, value in vars(cls).items():
+            if isinstance(value, Field | Value) and hasattr(Term, name):
+                raise TypeError(f"{cls.__name__}: every term has something called '{name}'; choose another name")
 
     @property
     def arrays(self) -> dict[str, wp.array]:

@@ -11,6 +11,7 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import require
 from warpsph.kernels.machine.gauge import PARTS, GaugeConstants, control, weigh
 from warpsph.terms.fluid import Fluid
 
@@ -41,6 +42,11 @@ class LevelGauge(Term):
     area_ratio: float
     gain: float = 40.0
     response: float = 0.1
+
+    def __post_init__(self) -> None:
+        require(self, "high", bool(np.all(np.asarray(self.low) < np.asarray(self.high))), "above low on each axis")
+        for name in ("target_level", "area_ratio", "response"):
+            require(self, name, 0.0 < getattr(self, name) < np.inf, "positive")
 
     needs = ("fluid", "conduction")
 

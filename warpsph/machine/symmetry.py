@@ -12,6 +12,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import require
 from warpsph.kernels.machine.symmetry import reflect
 
 
@@ -28,6 +29,10 @@ class SymmetryPlane(Term):
 
     normal: Sequence[float]
     offset: float
+
+    def __post_init__(self) -> None:
+        require(self, "normal", abs(float(np.linalg.norm(self.normal)) - 1.0) < 1e-6, "a unit vector")
+        require(self, "offset", bool(np.isfinite(self.offset)), "a number [m]")
 
     def add_dummies(self, particles: Particles, points: np.ndarray, material: str) -> None:
         """Add fixed dummies at ``points`` (n, 3) [m] behind the plane; they slip and conduct no heat."""

@@ -8,8 +8,10 @@ RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def printed(text: str, unit: str) -> str:
-    """``text [unit]`` with raised exponents: kg/m³ for kg/m^3."""
-    return with_unit(text, re.sub(r"\^(-?\d+)", lambda exponent: exponent[1].translate(RAISED), unit))
+    """``text [unit]`` with raised exponents, kg/m³ for kg/m^3; a dollar sign in a text begins no formula."""
+    return with_unit(
+        text.replace("$", r"\$"), re.sub(r"\^(-?\d+)", lambda exponent: exponent[1].translate(RAISED), unit)
+    )
 
 
 def title_of(quantity: Quantity) -> str:

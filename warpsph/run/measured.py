@@ -31,7 +31,7 @@ class Measured:
 
     def quantity(self, dimension: int) -> Quantity:
         """What a plot needs to know."""
-        whole = f"({self.unit})" if "/" in self.unit else self.unit
+        whole = f"({self.unit})" if "/" in self.unit or " " in self.unit else self.unit or "1"
         unit = f"{whole}/m" if self.per_depth and dimension == 2 else self.unit
         return Quantity(self.label, unit, self.colours, self.panel, self.over)
 

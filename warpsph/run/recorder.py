@@ -13,6 +13,7 @@ from warpsph.run.diagnostics import common_diagnostics
 from warpsph.run.events import Events
 from warpsph.run.measured import Values, quantity_of, value_of
 
+Numbers = dict[str, float | np.ndarray]
 Observe = Callable[[Snapshot, float], Values]
 Describe = Callable[[dict[str, Any]], str]
 
@@ -52,10 +53,15 @@ class Recorder:
     def keep(self) -> None:
         """Keep the present state: a frame without the reservoir, the diagnostics, and the events since the last one."""
         snapshot, time = self.state.snapshot(), float(self.state.time.numpy()[0])
+        if self.writer is not None:
+            present = snapshot["role"] != Role.RESERVOIR
+            fields = {name: snapshot[name][present] for name, field in self.state.fields.items() if field.written}
+            self.writer.write_frame(time, snapshot["position"][present], fields)
         measured = common_diagnostics(snapshot)
         if self.observe is not None:
             measured |= self.observe(snapshot, time)
-        values = {name: value_of(given) for name, given in measured.items()}
+        values: Numbers = {name: np.array(value_of(given), float)[()] for name, given in measured.items()}
+        self._refuse_misfits(values)
         for name, given in measured.items():
             self.quantities.setdefault(name, quantity_of(name, given, self.dimension))
         self._append(time, values)
@@ -63,9 +69,6 @@ class Recorder:
             self.note = self.describe(values)
         new_events = self.events.take_new()
         if self.writer is not None:
-            present = snapshot["role"] != Role.RESERVOIR
-            fields = {name: snapshot[name][present] for name, field in self.state.fields.items() if field.written}
-            self.writer.write_frame(time, snapshot["position"][present], fields)
             self.writer.write_diagnostics(time, values, self.quantities)
             for event in new_events:
                 self.writer.write_event(*event)
@@ -81,7 +84,16 @@ class Recorder:
         self.series = {name: list(values) for name, values in memory["series"].items()}
         self.note = memory["note"]
 
-    def _append(self, time: float, values: dict[str, float | np.ndarray]) -> None:
+    def _refuse_misfits(self, values: Numbers) -> None:
+        """A diagnostic has a name that a file can have, and the same shape at all times."""
+        for name, value in values.items():
+            if name == "time" or not name or "/" in name:
+                raise ValueError(f"an observer cannot call a diagnostic '{name}'; choose another name")
+            if name in self.series and np.shape(self.series[name][0]) != np.shape(value):
+                before = np.shape(self.series[name][0])
+                raise ValueError(f"diagnostic '{name}' had the shape {before} and has {np.shape(value)} now")
+
+    def _append(self, time: float, values: Numbers) -> None:
         """One row more; what was not measured this time, or not before, is not a number."""
         rows = len(self.series["time"])
         for name, value in values.items():

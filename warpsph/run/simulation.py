@@ -74,13 +74,17 @@ class Simulation:
     ):
         self.executor = executor
         self.model = model = compose(model, tuple(parts))
-        self.state = state = initial_state(model, particles, executor.device)
-        free = state.numpy("role") == Role.FREE
-        moving = tuple(int(index) for index in np.unique(state.numpy("material")[free]))
+        if len(particles) == 0:
+            raise InputError("particles: there is none; add some before the simulation is built")
+        free = {block.material for block in particles.blocks if np.any(block.role == Role.FREE)}
+        moving = tuple(sorted(model.index_of(material) for material in free))
         self.plan = plan_steps(model, moving, dt, step_factor)
         margin = 4.0 * model.support
-        lower = particles.position.min(axis=0) - margin if lower is None else np.asarray(lower)
-        upper = particles.position.max(axis=0) + margin if upper is None else np.asarray(upper)
+        lower = particles.position.min(axis=0) - margin if lower is None else np.asarray(lower, float)
+        upper = particles.position.max(axis=0) + margin if upper is None else np.asarray(upper, float)
+        if not np.all(np.isfinite([lower, upper])) or np.any(lower > upper):
+            raise InputError(f"lower, upper = {lower}, {upper}: must be two corners of a box [m], the lower one first")
+        self.state = state = initial_state(model, particles, executor.device)
         if speed_limit is None:
             speed_limit = min(FASTEST, *(term.speed_limit(model) for term in model.terms))
         self.solver = Solver(executor, model, state, lower, upper, speed_limit)
@@ -144,8 +148,8 @@ class Simulation:
             DivergenceError: the simulation diverged; the frames before are kept.
         """
         for name, value in (("duration", duration), ("output_interval", output_interval)):
-            if not value > 0.0:
-                raise InputError(f"{name} = {value}: must be positive [s]")
+            if not 0.0 < value < np.inf:
+                raise InputError(f"{name} = {value}: must be positive and finite [s]")
         writer = self._open(output, overwrite, parameters or {})
         started = wall_clock.perf_counter()
         recorder = self.recorder

@@ -44,8 +44,10 @@ def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_fac
     steps: Limits = {}
     intervals: Limits = {}
     for term in terms:
-        steps |= term.longest_steps(model, moving)
-        intervals |= term.longest_intervals(model)
+        _add(steps, term.longest_steps(model, moving), term)
+        _add(intervals, term.longest_intervals(model), term)
+    if not 0.0 < step_factor < np.inf:
+        raise InputError(f"step_factor = {step_factor}: must be positive")
     steps = {reason: step_factor * limit for reason, limit in steps.items()}
     heat_every = 1
     if intervals and not steps:
@@ -67,10 +69,20 @@ def listed(limits: Limits) -> str:
     return ", ".join(f"{reason} {limit:.3g} s" for reason, limit in limits.items())
 
 
+def _add(limits: Limits, further: Limits, term: Term) -> None:
+    """Add the limits of a term; of two with the same reason the shorter one holds."""
+    for reason, limit in further.items():
+        if not limit > 0.0:
+            raise InputError(f"{type(term).__name__}: its longest step by '{reason}' is {limit} s; it must be positive")
+        limits[reason] = min(limit, limits.get(reason, limit))
+
+
 def _choose(dt: float | None, limits: Limits) -> float:
     longest = min(limits.values(), default=np.inf)
     if dt is None:
         return longest
+    if not 0.0 < dt < np.inf:
+        raise InputError(f"dt = {dt}: must be positive [s]")
     if dt > longest * (1.0 + 1e-9):
         raise InputError(f"time step {dt:.3g} s is too long; limits: {listed(limits)}")
     return dt

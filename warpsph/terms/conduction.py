@@ -13,7 +13,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import DivergenceError, InputError, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
 
@@ -93,11 +93,22 @@ class Conduction(Term):
     def find_temperature(self, launch: Launch) -> None:
         launch(update_temperature)
 
+    def check(self, state: State) -> None:
+        bad = np.flatnonzero(~np.isfinite(state.numpy("enthalpy")))
+        if len(bad):
+            place = ", ".join(f"{x:.4g}" for x in state.numpy("position")[bad[0]])
+            raise DivergenceError(
+                f"the enthalpy of particle {state.numpy('id')[bad[0]]} at ({place}) m is not a number before "
+                f"t = {float(state.time.numpy()[0]):.6g} s"
+            )
+
     def _contact(self, model: Model) -> np.ndarray:
         """Conductivity (materials, materials) [W/(m K)] of pairs, -1 for the harmonic mean."""
         contact = np.full((len(model.materials),) * 2, -1.0)
         for pair, conductivity in self.contact.items():
             a, b = (model.index_of(name) for name in pair)
+            if contact[a, b] not in (-1.0, conductivity):
+                raise InputError(f"Conduction: contact: {pair[0]} and {pair[1]} have two different conductivities")
             contact[a, b] = contact[b, a] = conductivity
         return contact
 

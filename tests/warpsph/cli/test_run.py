@@ -112,3 +112,32 @@ def test_interruption_exits_130_and_keeps_the_frames(warpsph_command):
     assert outcome.code == 130
     assert "interrupted" in outcome.output
     assert ResultFile("out.vtkhdf").provenance["status"] == "interrupted"
+
+
+def test_the_results_folder_is_made_when_it_is_named_too(warpsph_command):
+    """If it failed, ``make run``, the first command that anybody tries, would fail in a fresh checkout."""
+    assert warpsph_command("run", "ingot", "--output", "results/mine.vtkhdf").code == 0
+    assert Path("results/mine.vtkhdf").is_file()
+
+
+def test_a_name_that_no_file_system_takes_is_refused(warpsph_command):
+    """If it failed, a long name would end in a traceback."""
+    outcome = warpsph_command("run", "ingot", "--output", f"{'x' * 300}.vtkhdf")
+    assert outcome.code == 2
+    assert "too long" in outcome.error
+
+
+@pytest.mark.parametrize("file", [".", "", "results"])
+def test_a_folder_is_not_rendered(warpsph_command, file):
+    """If it failed, a folder in place of a file would end in a traceback."""
+    Path("results").mkdir()
+    assert warpsph_command("render", file).code == 2
+
+
+def test_the_name_of_a_field_may_not_be_a_path(warpsph_command):
+    """If it failed, a slash in the name of a field would end in a traceback."""
+    assert warpsph_command("run", "ingot").code == 0
+    written = next(Path("results").glob("*.vtkhdf"))
+    outcome = warpsph_command("render", str(written), "--field", "a/b")
+    assert outcome.code == 2
+    assert "no such field" in outcome.error

@@ -74,7 +74,7 @@ def test_names_that_are_taken_are_refused(name):
     state = block("cpu").state
     field = Field(float, "", "a field")
     field.__set_name__(State, name)
-    with pytest.raises(ValueError, match=f"'{name}' is taken"):
+    with pytest.raises(InputError, match=f"'{name}' is taken"):
         state.add(field, np.zeros(state.count))
 
 

@@ -134,8 +134,10 @@ def test_the_last_steps_are_shorter_not_longer():
         assert schedule.steps_done == steps
 
 
-@pytest.mark.parametrize(("duration", "interval"), [(0.0, 0.1), (-1.0, 0.1), (1.0, 0.0), (float("nan"), 0.1)])
+@pytest.mark.parametrize(
+    ("duration", "interval"), [(0.0, 0.1), (-1.0, 0.1), (1.0, 0.0), (float("nan"), 0.1), (float("inf"), 0.1)]
+)
 def test_times_without_meaning_are_refused(duration, interval):
     """If it failed, a run of no time would divide by zero or never end."""
-    with pytest.raises(InputError, match="must be positive"):
+    with pytest.raises(InputError, match="must be positive and finite"):
         falling().run(duration, interval)
