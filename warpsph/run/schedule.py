@@ -54,7 +54,7 @@ class Schedule:
     @property
     def end(self) -> float:
         """Time at the end of the run [s]."""
-        return self.begin + self.duration
+        return _without_rounding(self.begin + self.duration)
 
     @property
     def done(self) -> bool:
@@ -83,7 +83,7 @@ class Schedule:
         if self.done:
             return self.end
         if self._done % self._per_frame == 0:
-            return self.begin + self._done // self._per_frame * self.output_interval
+            return _without_rounding(self.begin + self._done // self._per_frame * self.output_interval)
         return self.begin + self._done * self._whole.duration
 
     @property
@@ -98,3 +98,8 @@ class Schedule:
         batch = min(most, until_frame, self._cycles - self._done) if self._done < self._cycles else 1
         self._done += batch
         return batch
+
+
+def _without_rounding(time: float) -> float:
+    """A time [s] as people write it: 12.6 for 126 times 0.1, which is 12.600000000000001."""
+    return float(f"{time:.12g}")
