@@ -27,7 +27,7 @@ class Term:
     Class attributes:
         provides: what others may need of it; two terms that provide the same exclude each other.
         needs: what others of the case must provide.
-        follows: what it acts after, where that is there.
+        follows: what it acts after, where that is there; also after what it needs, unless that needs it, too.
     """
 
     provides: ClassVar[tuple[str, ...]] = ()
