@@ -8,7 +8,7 @@ from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import Material
+from warpsph.core.materials import conductor
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
@@ -47,18 +47,7 @@ class HeatGaussian(Scenario):
 
     def build(self, executor: Executor) -> Simulation:
         conductivity = self.diffusivity * DENSITY * HEAT_CAPACITY
-        plate = Material(
-            name="plate",
-            density=DENSITY,
-            temperatures=(0.0, 1000.0),
-            enthalpies=(0.0, 1000.0 * HEAT_CAPACITY),
-            conductivity_solid=conductivity,
-            conductivity_liquid=conductivity,
-            viscosity=0.0,
-            solidus=1.0e5,
-            liquidus=2.0e5,
-            source="round numbers with the diffusivity asked for",
-        )
+        plate = conductor("plate", density=DENSITY, heat_capacity=HEAT_CAPACITY, conductivity=conductivity)
         model = Model(
             dimension=2,
             spacing=self.spacing,

@@ -11,7 +11,7 @@ from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import Material, inert
+from warpsph.core.materials import Material, conductor, inert
 from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
@@ -92,17 +92,12 @@ class DamBreak(Scenario):
         return [SymmetryPlane(normal, offset) for normal, offset in faces]
 
     def _conductor(self, name: str) -> Material:
-        return Material(
-            name=name,
+        return conductor(
+            name,
             density=self.density,
-            temperatures=(0.0, 1000.0),
-            enthalpies=(0.0, 1000.0 * self.heat_capacity),
-            conductivity_solid=self.conductivity,
-            conductivity_liquid=self.conductivity,
+            heat_capacity=self.heat_capacity,
+            conductivity=self.conductivity,
             viscosity=self.viscosity,
-            solidus=1.0,
-            liquidus=2.0,
-            source="round numbers; the thesis counts in units",
         )
 
     def _observe(self, state: Snapshot, time: float) -> Values:

@@ -57,6 +57,9 @@ class Material:
         return np.clip((self.liquidus - np.asarray(temperature)) / (self.liquidus - self.solidus), 0.0, 1.0)
 
 
+NEVER_FROZEN = (1.0, 2.0)  # solidus and liquidus [K] of what stays as it is
+
+
 def _piecewise_linear(x, nodes, values):
     nodes, values = np.asarray(nodes, float), np.asarray(values, float)
     segment = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
@@ -94,6 +97,33 @@ def melting_material(
         viscosity=viscosity,
         solidus=solidus,
         liquidus=liquidus,
+        source=source,
+    )
+
+
+def conductor(
+    name: str, *, density: float, heat_capacity: float, conductivity: float, viscosity: float = 0.0, source: str = ""
+) -> Material:
+    """A material that conducts, as a solid or as a fluid, and never freezes or melts.
+
+    Args:
+        name: for messages and pictures.
+        density: [kg/m^3].
+        heat_capacity: [J/(kg K)]; the enthalpy counts from 0 K.
+        conductivity: [W/(m K)].
+        viscosity: [Pa s], where it flows.
+        source: where the numbers come from.
+    """
+    return Material(
+        name=name,
+        density=density,
+        temperatures=(0.0, 1000.0),
+        enthalpies=(0.0, 1000.0 * heat_capacity),
+        conductivity_solid=conductivity,
+        conductivity_liquid=conductivity,
+        viscosity=viscosity,
+        solidus=NEVER_FROZEN[0],
+        liquidus=NEVER_FROZEN[1],
         source=source,
     )
 

@@ -72,8 +72,8 @@ class Solver:
             skin * model.spacing,
             lower,
             upper,
-            on_sorted=lambda: self._at("follow_sorting"),
-            on_listed=lambda: self._at("follow_listing"),
+            on_sorted=lambda: self.act("follow_sorting"),
+            on_listed=lambda: self.act("follow_listing"),
         )
         self._constants["farthest_squared"] = self.neighbours.half_skin**2
         for term in terms:
@@ -111,7 +111,7 @@ class Solver:
             "sum_forces",
             "add_forces",
         ):
-            self._at(moment)
+            self.act(moment)
         self.set_steps(dt, interval)
 
     def step(self) -> None:
@@ -127,11 +127,23 @@ class Solver:
         """Advance the flow by one time step, and heat by as many as have passed since the last conduction."""
         self.step()
         self.neighbours.renew_if_outdated()
-        self._at("sum_heat")
-        self._at("add_heat")
-        self._at("after_heat")
-        self._at("find_temperature")
-        self._at("change_phases")
+        self.act("sum_heat")
+        self.act("add_heat")
+        self.act("after_heat")
+        self.act("find_temperature")
+        self.act("change_phases")
+
+    def act(self, moment: str) -> None:
+        """Let all terms act at one moment, by the name of the method: "find_density", "sum_forces", "sum_heat", ...
+
+        A step does so at all of them in turn. After :meth:`prepare`, or after something was changed by hand, it finds
+        one quantity anew without a step.
+
+        Raises:
+            KeyError: there is no such moment.
+        """
+        for term, launch in self._acts[moment]:
+            getattr(term, moment)(launch)
 
     def check(self) -> None:
         """Look, on the host, whether a list was too short or a term finds something wrong.
@@ -148,8 +160,4 @@ class Solver:
         if any(self._acts[moment] for moment in moments):
             with self.executor.section():
                 for moment in moments:
-                    self._at(moment)
-
-    def _at(self, moment: str) -> None:
-        for term, launch in self._acts[moment]:
-            getattr(term, moment)(launch)
+                    self.act(moment)

@@ -55,7 +55,7 @@ def test_linear_pressure_gives_its_gradient(device, dimension):
     x = simulation.state.numpy("position")
     slope = np.array([3.0e3, -2.0e3, 0.0])
     simulation.state.pressure.assign((1.0e4 + x @ slope).astype(np.float32))
-    simulation.solver._at("sum_forces")
+    simulation.solver.act("sum_forces")
     acceleration = simulation.state.numpy("acceleration")[inner(simulation)]
     assert np.allclose(acceleration, -slope / DENSITY, atol=1e-4 * np.max(slope) / DENSITY)
 
@@ -77,7 +77,7 @@ def test_viscosity_of_a_parabolic_profile(device, dimension):
     velocity[:, 0] = 0.5 * x[:, 1] ** 2
     simulation.state.velocity.assign(velocity)
     simulation.state.pressure.zero_()
-    simulation.solver._at("sum_forces")
+    simulation.solver.act("sum_forces")
     acceleration = simulation.state.numpy("acceleration")[inner(simulation)]
     expected = 3.0 / DENSITY
     assert np.allclose(acceleration[:, 0], expected, rtol=1e-4)
@@ -90,6 +90,6 @@ def test_momentum_is_kept(device, dimension):
     simulation = block(device, dimension, jitter=0.3)
     velocity = np.random.default_rng(2).normal(size=(simulation.state.count, 3))
     simulation.state.velocity.assign(velocity.astype(np.float32))
-    simulation.solver._at("sum_forces")
+    simulation.solver.act("sum_forces")
     force = simulation.state.numpy("acceleration").astype(float) * simulation.state.numpy("mass")[:, None]
     assert np.max(np.abs(force.sum(axis=0))) < 1e-5 * np.sum(np.abs(force))

@@ -73,7 +73,7 @@ def test_linear_profile_carries_fouriers_flux(device):
     slope = 1.0e3
     simulation = bar(device, lambda x: 1000.0 + slope * x[:, 0])
     simulation.prepare()
-    simulation.solver._at("sum_heat")
+    simulation.solver.act("sum_heat")
     s = simulation.state
     x, rate = s.numpy("position")[:, 0], s.numpy("heat_rate")
     away_from_the_ends = np.abs(x - 20 * SPACING) < 10 * SPACING
@@ -99,7 +99,7 @@ def test_flux_is_continuous_at_a_jump_of_conductivity(device):
 
     simulation = bar(device, profile, materials=(poor, good), split=True)
     simulation.prepare()
-    simulation.solver._at("sum_heat")
+    simulation.solver.act("sum_heat")
     s = simulation.state
     x = s.numpy("position")[:, 0]
     through = (1000.0 - middle) / (0.5 * length) * k_poor * 12 * SPACING
@@ -115,7 +115,7 @@ def test_contact_conductance(device):
     halves = lambda x: np.where(x[:, 0] > 20 * SPACING, 400.0, 1400.0)  # noqa: E731
     simulation = bar(device, halves, materials=(STEEL, COPPER), split=True, contact=contact)
     simulation.prepare()
-    simulation.solver._at("sum_heat")
+    simulation.solver.act("sum_heat")
     s = simulation.state
     copper = s.numpy("material") == simulation.model.index_of(COPPER.name)
     gained = float(np.sum(s.numpy("heat_rate")[middle_rows(s) & copper]))
@@ -139,7 +139,7 @@ def test_temperature_follows_the_curve_through_melting(device):
     simulation = bar(device, lambda x: np.full(len(x), 1600.0))
     enthalpy = np.linspace(STEEL.enthalpy(1500.0), STEEL.enthalpy(1900.0), simulation.state.count)
     simulation.state.enthalpy.assign(enthalpy.astype(np.float32))
-    simulation.solver._at("find_temperature")
+    simulation.solver.act("find_temperature")
     expected = STEEL.temperature(enthalpy)
     assert np.allclose(simulation.state.numpy("temperature"), expected, atol=0.01)
     assert np.allclose(simulation.state.numpy("solid_fraction"), np.clip((1750.0 - expected) / 50.0, 0, 1), atol=1e-3)

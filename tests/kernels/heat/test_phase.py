@@ -39,7 +39,7 @@ def block(device: str, dimension: int) -> Simulation:
 
 def set_solid(simulation: Simulation, fraction: np.ndarray) -> None:
     simulation.state.solid_fraction.assign(fraction.astype(np.float32))
-    simulation.solver._at("change_phases")
+    simulation.solver.act("change_phases")
 
 
 def bonds_of(simulation: Simulation) -> dict[tuple[int, int], np.ndarray]:

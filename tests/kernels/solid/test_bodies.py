@@ -132,7 +132,7 @@ def test_melt_that_freezes_joins_the_body_that_it_touches():
     state = simulation.state
     middle = np.abs(state.numpy("position")[:, 0] - 10 * DX) < 3 * DX
     state.solid_fraction.assign(np.where(middle & (state.numpy("position")[:, 0] > 9 * DX), 0.0, 1.0))
-    simulation.solver._at("change_phases")
+    simulation.solver.act("change_phases")
     froze = middle & (state.numpy("phase") == Phase.SOLID)
     near = froze & (state.numpy("position")[:, 0] < 8 * DX)
     assert np.sum(near) == 4

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from warpsph.core.materials import COPPER, WATER, Material, thesis_steel
+from warpsph.core.materials import COPPER, WATER, Material, conductor, thesis_steel
 from warpsph.errors import InputError
 
 
@@ -54,3 +54,12 @@ def test_a_curve_that_cannot_be_inverted_is_refused(change):
 def test_curve_values_are_linear_beyond_the_nodes():
     """Melt hotter than the last node must not stop warming."""
     assert np.diff(COPPER.enthalpy(np.array([1500.0, 1600.0])))[0] == pytest.approx(387.0 * 100.0)
+
+
+@given(st.floats(10.0, 2500.0))
+def test_a_conductor_is_its_few_numbers(temperature):
+    """A plain plate must not need an invented melting range, nor ever melt or freeze by it."""
+    plate = conductor("plate", density=2000.0, heat_capacity=500.0, conductivity=40.0)
+    assert plate.enthalpy(temperature) == pytest.approx(500.0 * temperature)
+    assert plate.conductivity_solid == plate.conductivity_liquid == 40.0
+    assert plate.solid_fraction(temperature) == 0.0

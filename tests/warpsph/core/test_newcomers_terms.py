@@ -273,3 +273,20 @@ def test_what_was_saved_before_the_first_step_begins_the_run_anew():
     simulation.run(0.05, 0.05)
     assert simulation.state.bonds.count.numpy().sum() > 400
     assert all(np.array_equal(first[name], values) for name, values in simulation.snapshot().items())
+
+
+def test_forces_and_rates_can_be_found_without_a_step():
+    """If it failed, whoever wants a density, a force or a flux once would have to call private methods."""
+    simulation = case(Fluid(1000.0, 10.0, tension=True), SummedDensity(), dt=None)
+    simulation.prepare()
+    squeezed = simulation.state.numpy("position") * [0.9, 0.9, 1.0]
+    before = simulation.snapshot()["density"]
+    simulation.state.position.assign(squeezed)
+    simulation.state.outdated.fill_(1)
+    simulation.prepare()
+    assert np.all(simulation.snapshot()["density"] > before)
+    assert simulation.steps == 0
+    assert simulation.time == 0.0
+    simulation.state.acceleration.zero_()
+    simulation.solver.act("sum_forces")
+    assert np.abs(simulation.state.numpy("acceleration")).max() > 0.0
