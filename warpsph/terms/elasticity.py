@@ -7,6 +7,7 @@ import warp as wp
 
 from warpsph.core.field import Field, Value
 from warpsph.core.labels import Phase
+from warpsph.core.lattice import Lattice
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.neighbours import refuse_overflow
@@ -52,16 +53,20 @@ class Elasticity(Term):
         poisson_ratio: nu.
         corrected: correct the displacement gradient by the moment matrix; False is the published form.
         hourglass: strength of the control of zero-energy modes (Ganzenmueller 2015), 0 for none.
+        support_ratio: length of the longest bonds over the spacing; None for the support of the model.
     """
 
     youngs_modulus: float
     poisson_ratio: float
     corrected: bool = True
     hourglass: float = 0.1
+    support_ratio: float | None = None
 
     def __post_init__(self) -> None:
         require(self, "youngs_modulus", 0.0 < self.youngs_modulus < np.inf, "positive [Pa]")
         require(self, "poisson_ratio", -1.0 < self.poisson_ratio < 0.5, "between -1 and 0.5 (an incompressible solid)")
+        ratio = self.support_ratio
+        require(self, "support_ratio", ratio is None or 1.2 <= ratio <= 10.0, "None, or from 1.2 to 10 spacings")
         require(self, "hourglass", 0.0 <= self.hourglass < np.inf, "zero or positive")
 
     provides = ("elasticity",)
@@ -94,15 +99,18 @@ class Elasticity(Term):
         return {"froze": fields["phase"] == Phase.SOLID, "body_volume": volume}
 
     def allocate(self, model: Model, state: State) -> None:
-        state.hold_list("bonds", _empty_bonds(model, state))
-        state.hold_list("spare_bonds", _empty_bonds(model, state), scratch=True)
+        lattice = Lattice(model.dimension, model.spacing, self.reach(model) / model.spacing)
+        capacity = int(1.6 * len(lattice.offsets)) + 4
+        state.hold_list("bonds", _empty_bonds(capacity, state))
+        state.hold_list("spare_bonds", _empty_bonds(capacity, state), scratch=True)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        scale = normalisation("sine", model.dimension, model.support)
-        return {"elastic": self._constants(model), "reach": model.support, "scale": scale}
+        reach = self.reach(model)
+        scale = normalisation("sine", model.dimension, reach)
+        return {"elastic": self._constants(model), "reach": reach, "scale": scale}
 
     def reach(self, model: Model) -> float:
-        return model.support
+        return model.support if self.support_ratio is None else self.support_ratio * model.spacing
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         """The elastic wave, and the melt's sound with it, across half a spacing: bonds may be shorter than one."""
@@ -159,9 +167,9 @@ class Elasticity(Term):
         return constants
 
 
-def _empty_bonds(model: Model, state: State) -> BondList:
+def _empty_bonds(capacity: int, state: State) -> BondList:
     bonds = BondList()
-    bonds.capacity = int(1.6 * len(model.lattice.offsets)) + 4
+    bonds.capacity = capacity
     entries = state.count * bonds.capacity
     bonds.count = wp.zeros(state.count, dtype=int, device=state.device)
     bonds.partner = wp.zeros(entries, dtype=int, device=state.device)

@@ -173,3 +173,16 @@ def test_a_fluid_of_another_density_is_refused(melts):
     terms = (Fluid(RHO, 20.0), SummedDensity(), *((Conduction(), PhaseChange()) if melts else ()))
     with pytest.raises(InputError, match=r"inert of 1100 kg/m.3 flows or can melt.*one density of fluids, 1000"):
         Simulation(Executor("cpu", 1), Model(2, DX, (inert("inert", 1100.0),), terms), particles)
+
+
+def test_bonds_have_a_support_of_their_own():
+    """If it failed, a thin solid in a fluid would be as soft as the fluid's wide support makes it."""
+    particles = Particles()
+    x = lattice((0.0, 0.0), (10 * DX, 10 * DX), DX)
+    particles.add(x, Role.FREE, phase=Phase.SOLID)
+    terms = (Fluid(RHO, 20.0), SummedDensity(), Elasticity(E, 0.3, support_ratio=1.5))
+    simulation = Simulation(Executor("cpu", 1), Model(2, DX, (inert("rubber", RHO),), terms, 2.6), particles)
+    simulation.prepare()
+    inside = np.abs(simulation.state.numpy("position")[:, :2] - 5 * DX).max(axis=1) < 2 * DX
+    assert np.all(simulation.state.bonds.count.numpy()[inside] == 8)
+    assert np.all(simulation.state.neighbours.count.numpy()[inside] > 20)
