@@ -43,6 +43,7 @@ class CastingObserver:
 
     def __call__(self, state: Snapshot, time: float) -> Values:
         self._note_shortages(time)
+        self._note_passage(time)
         thickness, surface = self._shell(state)
         shell: Values = {
             "shell_thickness": Measured(thickness, "m", "shell thickness", over="height"),
@@ -58,7 +59,10 @@ class CastingObserver:
     def describe(self, values: dict[str, Any]) -> str:
         """One line for the progress bar."""
         exit_bin = int(np.argmin(np.abs(self.heights - self.case.mould_bottom)))
-        return f"level {values['level']:.3f} m, shell at mould exit {1e3 * values['shell_thickness'][exit_bin]:.1f} mm"
+        shell = 1e3 * values["shell_thickness"][exit_bin]
+        early = values["time"] < self.case.passage - 1e-9
+        unsteady = f", not yet steady (the start's strand is gone at {self.case.passage:.3g} s)" if early else ""
+        return f"level {values['level']:.3f} m, shell at mould exit {shell:.1f} mm{unsteady}"
 
     def memory(self) -> dict[str, Any]:
         return {"noted": sorted(self.noted), "watch": self.watch.memory()}
@@ -66,6 +70,11 @@ class CastingObserver:
     def restore(self, memory: dict[str, Any]) -> None:
         self.noted = set(memory["noted"])
         self.watch.restore(memory["watch"])
+
+    def _note_passage(self, time: float) -> None:
+        if time >= self.case.passage - 1e-9 and "passage" not in self.noted:
+            self.noted.add("passage")
+            self._note(time, "the strand has passed through once: nothing is left of that of the start")
 
     def _note_shortages(self, time: float) -> None:
         for part, substance in ((self.inlet, "melt"), (self.spray, "water")):

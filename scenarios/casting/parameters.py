@@ -134,6 +134,11 @@ class CastingParameters(Scenario):
         return min(int((1.0 - height / self.mould_bottom) * self.spray_zones) + 1, self.spray_zones)
 
     @property
+    def passage(self) -> float:
+        """Time [s] after which nothing is left of the strand that the start was given."""
+        return self.level / self.casting_speed
+
+    @property
     def bore(self) -> float:
         """Half width of the nozzle's bore in whole particles [m]."""
         return round(self.nozzle_width / self.spacing) * self.spacing

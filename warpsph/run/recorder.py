@@ -26,7 +26,7 @@ class Recorder:
         dimension: 2 or 3.
         events: what happens.
         observe: gives the scenario's own diagnostics from a snapshot and the time [s].
-        describe: gives a note for people from the latest diagnostics.
+        describe: gives a note for people from the latest diagnostics, the time [s] among them.
 
     Attributes:
         series: diagnostics by name, a list over time each.
@@ -66,7 +66,7 @@ class Recorder:
             self.quantities.setdefault(name, quantity_of(name, given, self.dimension))
         self._append(time, values)
         if self.describe is not None:
-            self.note = self.describe(values)
+            self.note = self.describe(values | {"time": time})
         new_events = self.events.take_new()
         if self.writer is not None:
             self.writer.write_diagnostics(time, values, self.quantities)

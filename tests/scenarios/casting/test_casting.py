@@ -83,3 +83,19 @@ def test_failing_sprays_are_an_event_and_stop():
     first, second, third = simulation.model.the(Spray).sprayed.numpy()
     assert first == third < second
     assert result.diagnostics["missing_water"][-1] == result.diagnostics["missing_melt"][-1] == 0
+
+
+def test_a_run_says_that_it_is_not_yet_steady(result):
+    """Otherwise the shell that the start was given would pass for one that the run has made."""
+    assert "not yet steady (the start's strand is gone at 44 s)" in result.summary["at the end"]
+
+
+def test_a_strand_that_has_passed_through_is_an_event():
+    """Otherwise nobody would know from when on a result is that of the machine."""
+    case = Casting(**COARSE)
+    simulation = case.build(Executor("cpu"))
+    observe, describe = simulation.recorder.observe, simulation.recorder.describe
+    for time in (0.5 * case.passage, case.passage, 2.0 * case.passage):
+        values = {name: given.value for name, given in observe(simulation.snapshot(), time).items()}
+        assert ("not yet steady" in describe(values | {"time": time})) == (time < case.passage)
+    assert [time for time, text in simulation.events.all if "passed through" in text] == [case.passage]

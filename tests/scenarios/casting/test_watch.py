@@ -97,3 +97,9 @@ def test_a_drop_of_shell_is_no_melt(watch):
     state["position"][-1] = [0.13, 0.2, 0.0]
     state["phase"][-1] = Phase.SOLID
     assert plain(watch(state, 6.0, HEIGHTS, np.full(22, 0.012)))["escaped_melt"] == 0.0
+
+
+def test_a_zone_that_will_fail_has_not_failed_yet(watch, events):
+    """A hole at the start would be put down to a failure that comes later."""
+    watch(strand(gap=(0.102, 0.122)), 0.1, HEIGHTS, np.full(22, 0.012))
+    assert events == [(0.1, "hole in the shell at 0.112 m, zone 2 (sprayed)")]
