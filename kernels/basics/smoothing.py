@@ -98,16 +98,11 @@ def spiky_value(r_squared: float, H: float):
 
 
 @wp.func
-def spiky_slope_at(r: float, H: float):
-    """-3 (H - r)^2 / r [m] at a distance r [m] that is not too small."""
-    b = wp.max(H - r, 0.0)
-    return -3.0 * b * b / r  # Vijaykumar (2.19)
-
-
-@wp.func
 def spiky_slope(r_squared: float, H: float):
     """-3 (H - r)^2 / r [m]; singular."""
-    return spiky_slope_at(_distance(r_squared, H), H)
+    r = _distance(r_squared, H)
+    b = wp.max(H - r, 0.0)
+    return -3.0 * b * b / r  # Vijaykumar (2.19)
 
 
 @wp.func
@@ -142,15 +137,9 @@ def viscosity_slope(r_squared: float, H: float, dimension: int):
 
 
 @wp.func
-def viscosity_laplacian_at(r: float, H: float):
-    """H - r [m] at a distance r [m], in two and in three dimensions."""
-    return wp.max(H - r, 0.0)  # Vijaykumar (2.25), corrected
-
-
-@wp.func
 def viscosity_laplacian(r_squared: float, H: float):
     """H - r [m], in two and in three dimensions."""
-    return viscosity_laplacian_at(wp.sqrt(r_squared), H)
+    return wp.max(H - wp.sqrt(r_squared), 0.0)  # Vijaykumar (2.25), corrected
 
 
 @wp.func

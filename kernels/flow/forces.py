@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
-from warpsph.kernels.basics.smoothing import NEAREST, spiky_slope_at, viscosity_laplacian_at
+from warpsph.kernels.basics.smoothing import spiky_slope, viscosity_laplacian
 from warpsph.kernels.flow.fluid import FluidConstants
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
@@ -38,7 +38,6 @@ def add_fluid_forces(
         u_i = velocity[i]
         p_i = pressure[i]
         mu_i = viscosity[i]
-        nearest = NEAREST * fluid.support
         pressure_sum = wp.vec3()
         viscous_sum = wp.vec3()
         for k in range(neighbours.count[i]):
@@ -47,15 +46,13 @@ def add_fluid_forces(
             d = x_i - position[j]
             r_squared = wp.dot(d, d)
             if r_squared < fluid.support * fluid.support:
-                r = wp.sqrt(r_squared)  # one root for both smoothing kernels
                 if entry >= 0:
                     # Vijaykumar (2.3) without its 1/2, which would halve the pressure gradient
-                    slope = spiky_slope_at(wp.max(r, nearest), fluid.support)
-                    pressure_sum += d * ((p_i + pressure[j]) * volume[j] * slope)
+                    pressure_sum += d * ((p_i + pressure[j]) * volume[j] * spiky_slope(r_squared, fluid.support))
                 mu_j = viscosity[j]
                 mu_ij = 2.0 * mu_i * mu_j / (mu_i + mu_j + 1.0e-20)
                 # Vijaykumar (2.5)
-                laplacian = viscosity_laplacian_at(r, fluid.support)
+                laplacian = viscosity_laplacian(r_squared, fluid.support)
                 viscous_sum += (velocity[j] - u_i) * (mu_ij * volume[j] * laplacian)
         force = viscous_sum * fluid.viscosity_scale - pressure_sum * fluid.pressure_scale
         # Vijaykumar (2.6), for a solid of another density by its own mass

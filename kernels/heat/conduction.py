@@ -56,14 +56,13 @@ def sum_heat(
     total = float(0.0)
     for k in range(neighbours.count[i]):
         j = index_of(entry_of(neighbours, i, k))
-        d = x_i - position[j]
-        r_squared = wp.dot(d, d)
-        if r_squared < support * support and role[j] != Role.RESERVOIR:
+        if role[j] != Role.RESERVOIR:
+            d = x_i - position[j]
             k_j = conductivity[j]
             k_pair = table.contact[material[i], material[j]]
             if k_pair < 0.0:
                 k_pair = 2.0 * k_i * k_j / (k_i + k_j + 1.0e-30)
-            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(r_squared, support)
+            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(wp.dot(d, d), support)
     heat_rate[i] = 2.0 * scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass
 
 

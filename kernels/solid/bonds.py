@@ -102,20 +102,15 @@ def join_body(
 def mark_bonded_neighbours(first: int, neighbours: NeighbourList, bonds: BondList):
     """Mark in the neighbour list which pairs are bonded."""
     i = wp.tid() + first
-    bonded = bonds.count[i]
     for k in range(neighbours.count[i]):
         place = i * neighbours.row_stride + k * neighbours.entry_stride
-        before = neighbours.entry[place]
-        j = index_of(before)
+        j = index_of(neighbours.entry[place])
         entry = j
-        if bonded > 0 and bonds.count[j] > 0:
-            b = int(0)
-            while b < bonded and bonds.partner[i * bonds.capacity + b] != j:
-                b += 1
-            if b < bonded:
-                entry = -1 - j
-        if entry != before:
-            neighbours.entry[place] = entry
+        if bonds.count[i] > 0 and bonds.count[j] > 0:
+            for b in range(bonds.count[i]):
+                if bonds.partner[i * bonds.capacity + b] == j:
+                    entry = -1 - j
+        neighbours.entry[place] = entry
 
 
 @wp.kernel
