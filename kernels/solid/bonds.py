@@ -12,13 +12,15 @@ wp.set_module_options({"enable_backward": False})
 @wp.struct
 class BondList:
     """Rows of bonds: ``count`` (n,), and for each bond (n * capacity,) its ``partner``, its ``separation`` x_i - x_j at
-    freezing [m], and there the normalised ``slope`` W'/r and ``value`` W of the smoothing kernel."""
+    freezing [m], there the normalised ``slope`` W'/r and ``value`` W of the smoothing kernel, and the ``prestress``
+    that it has borne since: a force over the separation, positive where it presses [N/m], in 2D [N/m^2]."""
 
     count: wp.array[int]
     partner: wp.array[int]
     separation: wp.array[wp.vec3]
     slope: wp.array[float]
     value: wp.array[float]
+    prestress: wp.array[float]
     capacity: int
 
 
@@ -28,6 +30,7 @@ def copy_bond(bonds: BondList, source: int, target: BondList, place: int):
     target.separation[place] = bonds.separation[source]
     target.slope[place] = bonds.slope[source]
     target.value[place] = bonds.value[source]
+    target.prestress[place] = bonds.prestress[source]
 
 
 @wp.kernel
@@ -71,6 +74,7 @@ def update_bonds(
                         bonds.separation[row + n] = d
                         bonds.slope[row + n] = scale * sine_slope(wp.dot(d, d), reach)
                         bonds.value[row + n] = scale * sine_value(wp.dot(d, d), reach)
+                        bonds.prestress[row + n] = 0.0
                     n += 1
         if n > bonds.capacity:
             wp.atomic_max(longest_bond_row, 0, n)

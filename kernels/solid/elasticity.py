@@ -124,24 +124,29 @@ def add_elastic_forces(
 ):
     """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
 
-    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015).
+    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015). Bonds that
+    froze under pressure go on bearing it, along their separation as it is deformed on average: along the distance of
+    the particles it would feed the zero-energy modes.
     """
     i = wp.tid() + first
     if bonds.count[i] > 0 and role[i] == Role.FREE:
         F_i = deformation[i]
         P_i = stress[i]
         force = wp.vec3()
+        pressed = wp.vec3()
         for b in range(bonds.count[i]):
             place = i * bonds.capacity + b
             j = bonds.partner[place]
             X = bonds.separation[place]
             v_j = body_volume[j]
+            F_X = (F_i + deformation[j]) * X
+            pressed += F_X * (0.5 * bonds.prestress[place])
             # Vijaykumar (4.13), (4.14) as in his pseudo-code 4.4, gathered over both ends of the bond
             force += (P_i + stress[j]) * (X * (v_j * bonds.slope[place]))
             if elastic.hourglass > 0.0:
                 # Ganzenmueller (2015), equations 17-20
                 x = precise_difference(position, position_carry, i, j)
-                miss = wp.dot((F_i + deformation[j]) * X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
+                miss = wp.dot(F_X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
                 weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
                 force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)
-        acceleration[i] += force * (body_volume[i] / mass[i])
+        acceleration[i] += (force * body_volume[i] + pressed) / mass[i]

@@ -34,7 +34,8 @@ from warpsph.kernels.solid.elasticity import (
     invert_moments,
     settle_volume,
 )
-from warpsph.terms.fluid import Fluid
+from warpsph.kernels.solid.prestress import keep_pressure
+from warpsph.terms.fluid import Fluid, fluid_constants
 from warpsph.terms.phase_change import PhaseChange
 
 # In spacings. Where the pressure of the melt is zero particles may freeze almost on top of each other; a stiffness of
@@ -107,7 +108,8 @@ class Elasticity(Term):
     def constants(self, model: Model, state: State) -> dict[str, object]:
         reach = self.reach(model)
         scale = normalisation("sine", model.dimension, reach)
-        return {"elastic": self._constants(model), "reach": reach, "scale": scale}
+        constants = {"elastic": self._constants(model), "reach": reach, "scale": scale}
+        return constants | ({"fluid": fluid_constants(model)} if model.find(Fluid) else {})
 
     def reach(self, model: Model) -> float:
         return model.support if self.support_ratio is None else self.support_ratio * model.spacing
@@ -149,6 +151,8 @@ class Elasticity(Term):
             launch(settle_volume)
         launch(join_body)
         self._bond_solids(launch)
+        if "pressure" in launch:
+            launch(keep_pressure)
 
     def _bond_solids(self, launch: Launch) -> None:
         launch(update_bonds)
@@ -176,4 +180,5 @@ def _empty_bonds(capacity: int, state: State) -> BondList:
     bonds.separation = wp.zeros(entries, dtype=wp.vec3, device=state.device)
     bonds.slope = wp.zeros(entries, dtype=float, device=state.device)
     bonds.value = wp.zeros(entries, dtype=float, device=state.device)
+    bonds.prestress = wp.zeros(entries, dtype=float, device=state.device)
     return bonds

@@ -33,9 +33,9 @@ class Body:
 
     def __init__(self, device: str, dimension: int, corrected: bool = True, hourglass: float = 0.0, guest=None):
         particles = Particles()
-        particles.add(disc(dimension), Role.FREE)
+        particles.add(disc(dimension), Role.FREE, phase=Phase.SOLID)
         if guest is not None:
-            particles.add(np.array([guest]), Role.FREE)
+            particles.add(np.array([guest]), Role.FREE, phase=Phase.SOLID)
         model = Model(
             dimension,
             SPACING,
