@@ -14,7 +14,7 @@ class GaugeConstants:
     """Constants of the level gauge and of the flow control.
 
     ``low``, ``high`` corners of the weighed column [m]; ``mass_per_height`` of the full column [kg/m];
-    ``response`` time of the gauge [s]; ``pressure_per_height`` rho_0 g [Pa/m]; ``outflow_coefficient`` k of
+    ``response`` time of the gauge [s]; ``pressure_per_height`` rho g [Pa/m]; ``outflow_coefficient`` k of
     v = k p [m/(s Pa)]; ``area_ratio`` strand over nozzle; ``target_level`` [m]; ``gain`` of the level control.
     """
 
@@ -59,7 +59,7 @@ def weigh(
 def control(first: int, interval: float, gauge: GaugeConstants, parts: wp.array[wp.float64], speeds: wp.array[float]):
     """Update ``speeds`` (3,): level of the melt [m], casting speed [m/s], pouring speed [m/s]; one thread.
 
-    The level is the height of a column of reference density as heavy as the particles weighed in it, smoothed in time.
+    The level is the height of a column at rest as heavy as the particles weighed in it, smoothed in time.
     The strand leaves with v = k p (Vijaykumar 2012, equation 6.2); the melt enters at the rate of the outflow, raised
     in proportion to the shortage of level.
     """

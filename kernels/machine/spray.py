@@ -4,6 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.machine.exchange import Exchange, bring_in, next_parked, take_out
+from warpsph.kernels.machine.rolls import RollConstants, depth_in_roll
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
@@ -11,6 +12,7 @@ wp.set_module_options({"enable_backward": False})
 # Evenly spread for any number of particles, alone and as a pair (powers of the golden and of the plastic ratio)
 GOLDEN_RATIO = wp.constant(wp.float64(0.6180339887498949))
 PLASTIC_RATIO = wp.constant(wp.float64(0.7548776662466927))
+OUTWARDS = wp.constant(100.0)  # rate at which water gets out of the way of a strand that bulges [1/s]
 
 
 @wp.struct
@@ -25,14 +27,18 @@ class SprayZones:
 
 @wp.struct
 class WaterConstants:
-    """``nozzle`` x, or z, of the nozzles [m]; ``speed`` [m/s]; ``reach`` contact distance [m]; ``lost`` x and z behind
-    which water has missed the strand [m]; ``breadth`` of the faces [m], 0 in the plane; ``enthalpy`` when sprayed and
-    when ``boiled`` [J/kg]; its ``material``."""
+    """``nozzle`` x, or z, of the nozzles [m]; ``speed`` [m/s]; ``reach`` contact distance [m]; ``stand`` distance at
+    which it stands on the strand [m]; ``spacing`` [m]; ``lost`` x and z behind which water has missed the strand, and
+    ``end`` height below which it has left with it [m]; ``breadth`` of the faces [m], 0 in the plane; ``enthalpy`` when
+    sprayed and when ``boiled`` [J/kg]; its ``material``."""
 
     nozzle: float
     speed: float
     reach: float
+    stand: float
+    spacing: float
     lost: float
+    end: float
     breadth: float
     enthalpy: float
     boiled: float
@@ -100,28 +106,69 @@ def emit(
                 missing[0] += 1
 
 
+@wp.func
+def beside_rolls(rolls: RollConstants, away: float, height: float, velocity: wp.vec2) -> wp.vec2:
+    """What is left of a velocity (away, up) beside the rolls, into which water cannot run."""
+    for roll in range(rolls.heights.shape[0]):
+        contact = depth_in_roll(rolls, roll, away, height)
+        normal = wp.vec2(contact[1], contact[2])
+        if contact[0] > 0.0:
+            velocity -= wp.min(wp.dot(velocity, normal), 0.0) * normal
+    return velocity
+
+
 @wp.kernel
-def ride(first: int, water: WaterConstants, neighbours: NeighbourList, exchange: Exchange):
-    """Let water fly, and ride on the nearest free particle within its reach."""
+def ride(
+    first: int,
+    water: WaterConstants,
+    rolls: RollConstants,
+    neighbours: NeighbourList,
+    caught: wp.array[int],
+    exchange: Exchange,
+):
+    """Let water fly, and ride on the strand: on its nearest particle within reach, outside of all that are beside it.
+
+    In the nip of a roll it stands until it boils. What the strand has closed over all the same is taken out, and
+    counted in ``caught`` (1,).
+    """
     i = wp.tid() + first
     if exchange.role[i] == Role.SPRAY:
         x_i = exchange.position[i]
-        nearest = water.reach * water.reach
+        away = distance(water, x_i)
         velocity = flight(water, x_i)
+        outwards = velocity / -water.speed
+        nearest = water.reach * water.reach
+        surface = float(-1.0e30)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            d = x_i - exchange.position[j]
-            if exchange.role[j] == Role.FREE and wp.dot(d, d) < nearest:
-                nearest = wp.dot(d, d)
-                velocity = exchange.velocity[j]
+            if exchange.role[j] == Role.FREE or exchange.role[j] == Role.OUTFLOW:
+                d = x_i - exchange.position[j]
+                beyond = wp.dot(d, outwards)
+                if wp.length(d - beyond * outwards) < 0.75 * water.spacing:
+                    surface = wp.max(surface, away - beyond)
+                if wp.dot(d, d) < nearest:
+                    nearest = wp.dot(d, d)
+                    velocity = exchange.velocity[j]
+        behind = surface + water.stand - away
+        if behind > 0.0:
+            velocity += outwards * wp.min(OUTWARDS * behind, water.speed)
+        if water.breadth > 0.0 and outwards[2] > 0.0:
+            left = beside_rolls(rolls, x_i[2], x_i[1], wp.vec2(velocity[2], velocity[1]))
+            velocity = wp.vec3(velocity[0], left[1], left[0])
+        else:
+            left = beside_rolls(rolls, x_i[0], x_i[1], wp.vec2(velocity[0], velocity[1]))
+            velocity = wp.vec3(left[0], left[1], velocity[2])
         exchange.velocity[i] = velocity
+        if behind > water.stand + water.spacing:
+            take_out(exchange, i)
+            wp.atomic_add(caught, 0, 1)
 
 
 @wp.kernel
 def boil(first: int, water: WaterConstants, exchange: Exchange):
-    """Take out the water that has boiled, or missed the strand."""
+    """Take out the water that has boiled, missed the strand, or left with it."""
     i = wp.tid() + first
-    if exchange.role[i] == Role.SPRAY and (
-        exchange.enthalpy[i] >= water.boiled or distance(water, exchange.position[i]) < water.lost
-    ):
-        take_out(exchange, i)
+    if exchange.role[i] == Role.SPRAY:
+        x = exchange.position[i]
+        if exchange.enthalpy[i] >= water.boiled or distance(water, x) < water.lost or x[1] < water.end:
+            take_out(exchange, i)

@@ -15,6 +15,7 @@ from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.casting.checks import casting_checks
 from warpsph.scenarios.casting.experiments import INLETS, inlet_checks, oscillation_checks, parameter_checks
+from warpsph.scenarios.casting.feasibility import refuse_what_cannot_hold
 from warpsph.scenarios.casting.machine import DUMMY, CastingMachine
 from warpsph.scenarios.casting.observer import CastingObserver
 from warpsph.scenarios.casting.parameters import CastingParameters
@@ -51,6 +52,7 @@ class Casting(CastingParameters):
         return replace(plain, terms=terms)
 
     def build(self, executor: Executor) -> Simulation:
+        refuse_what_cannot_hold(self)
         machine = CastingMachine(self)
         lower, upper = machine.box
         observer = CastingObserver(self, machine)
@@ -61,10 +63,12 @@ class Casting(CastingParameters):
             parts=[
                 machine.gauge,
                 OscillatingMould(self.mould_stroke, self.mould_frequency),
+                machine.rolls,
                 *machine.planes,
                 machine.outflow,
                 machine.inlet,
                 machine.spray,
+                machine.speedometer,
             ],
             lower=lower,
             upper=upper,

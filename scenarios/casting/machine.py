@@ -4,12 +4,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from warpsph.core.hydrostatics import row_heights
+from warpsph.core.hydrostatics import column_pressure, row_heights
 from warpsph.core.labels import Role
 from warpsph.core.materials import COPPER, WATER
 from warpsph.core.model import GRAVITY
 from warpsph.core.particles import Particles, lattice
-from warpsph.machine import Inlet, LevelGauge, Outflow, Spray, SprayZone, SymmetryPlane
+from warpsph.machine import Inlet, LevelGauge, Outflow, Rolls, ShellSpeedometer, Spray, SprayZone, SymmetryPlane
 from warpsph.scenarios.casting.nozzle import Nozzle, side_port, straight_tube
 from warpsph.scenarios.casting.parameters import (
     COOLING_WATER,
@@ -44,6 +44,9 @@ class CastingMachine:
         if case.dimension == 3:
             planes.append(SymmetryPlane((0.0, 0.0, 1.0), 0.0))
         self.gauge = self._gauge(nozzle)
+        self.rolls = Rolls(
+            case.half_width, np.arange(case.roll_first, -case.roll_radius, -case.roll_pitch), case.roll_radius
+        )
         self._add_strand(nozzle)
         self._add_walls(nozzle)
         self._add_dummies(planes)
@@ -53,6 +56,7 @@ class CastingMachine:
         self.outflow = Outflow(self.gauge, 0.0, -OUTFLOW_ROWS * case.spacing, case.half_width + 2.0 * case.spacing)
         self.planes = planes
         self.spray = self._add_spray()
+        self.speedometer = ShellSpeedometer()
 
     @property
     def box(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
@@ -68,10 +72,12 @@ class CastingMachine:
     def _row_heights(self) -> np.ndarray:
         """Heights [m] of the rows of the strand and of the zone in which it is withdrawn."""
         case, floor = self.case, -OUTFLOW_ROWS * self.case.spacing
-        rows = round((case.level - floor) / case.spacing)
+        depth = case.level - floor
         if case.start == "hydrostatic":
+            weight = column_pressure(depth, 1.0, GRAVITY, case.sound_speed)
+            rows = round(float(weight) / (GRAVITY * case.spacing))
             return floor + row_heights(rows, case.spacing, GRAVITY, case.sound_speed)
-        return floor + (np.arange(rows) + 0.5) * case.spacing
+        return floor + (np.arange(round(depth / case.spacing)) + 0.5) * case.spacing
 
     def _gauge(self, nozzle: Nozzle) -> LevelGauge:
         """Weighs a column of whole cells beside the nozzle."""
@@ -120,18 +126,27 @@ class CastingMachine:
         particles.add(reserve, Role.RESERVOIR, steel, temperature=case.pouring_temperature)
 
     def _add_walls(self, nozzle: Nozzle) -> None:
-        """The mould, the nozzle's walls, and the rolls, at every cold face."""
+        """The mould and the rolls at every cold face, and the nozzle's walls."""
         case, particles, dx, W = self.case, self.particles, self.case.spacing, self.case.half_width
         x = (0.0 if case.dimension == 3 else W, W + MOULD_LAYERS * dx)
         mould = self._fill(x, (case.mould_bottom, case.mould_top), x)
         mould = mould[self._outside(mould, 0.0)]
         outermost = self._outside(mould, (MOULD_LAYERS - 1) * dx)
-        particles.add(mould, Role.WALL, COPPER.name, temperature=COOLING_WATER, held=outermost)
+        for half in (-0.25 * dx, 0.25 * dx):  # rows as near as this make a face that a shell slides over smoothly
+            particles.add(
+                mould + np.array([0.0, half, 0.0]),
+                Role.WALL,
+                COPPER.name,
+                temperature=COOLING_WATER,
+                held=outermost,
+                volume=0.5 * dx**case.dimension,
+            )
         particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, DUMMY)
-        x = (x[0], W + DUMMY_LAYERS * dx)
-        for middle in np.arange(case.roll_first, -2 * dx, -case.roll_pitch):
-            roll = self._fill(x, (middle - 0.5 * case.roll_size, middle + 0.5 * case.roll_size), x)
-            particles.add(roll[self._outside(roll, 0.0)], Role.DUMMY, DUMMY)
+        breadth = W if case.dimension == 3 else 0.0
+        rolls = self.rolls.surface(dx, breadth)
+        if case.dimension == 3:
+            rolls = np.concatenate([rolls, rolls[:, ::-1]])
+        particles.add(rolls, Role.DUMMY, DUMMY, flows=False)
 
     def _add_dummies(self, planes: list[SymmetryPlane]) -> None:
         """Dummies behind the planes of symmetry, in 3D also behind mould and rolls, or melt leaks at their ends."""
@@ -145,16 +160,6 @@ class CastingMachine:
     def _add_spray(self) -> Spray:
         case = self.case
         flow = case.spray_flux * case.mould_bottom * (2.0 * case.half_width if case.dimension == 3 else 1.0)
-        edges = np.linspace(case.mould_bottom, 0.0, case.spray_zones + 1)
-        zones = [
-            SprayZone(
-                low=low,
-                high=high,
-                rate=flow / case.spray_zones / case.spray_particle,
-                off=case.spray_failure if case.spray_failure is not None and k + 1 in case.spray_failing else 1.0e9,
-            )
-            for k, (high, low) in enumerate(pairwise(edges))
-        ]
         nozzle = case.half_width + SPRAY_DISTANCE
         under_way = SPRAY_DISTANCE / case.spray_speed + LONGEST_RIDE
         reserve = int(flow / case.spray_particle * under_way) + 10
@@ -164,7 +169,7 @@ class CastingMachine:
             parked, Role.RESERVOIR, WATER.name, temperature=SPRAY_TEMPERATURE, flows=False, volume=volume
         )
         return Spray(
-            zones,
+            self._spray_zones(flow / case.spray_particle),
             nozzle,
             case.spray_speed,
             near=1.2 * case.spacing,
@@ -172,5 +177,29 @@ class CastingMachine:
             temperature=SPRAY_TEMPERATURE,
             boiled=SPRAY_BOILED,
             material=WATER.name,
+            end=-OUTFLOW_ROWS * case.spacing,
+            rolls=self.rolls,
             breadth=case.half_width if case.dimension == 3 else 0.0,
         )
+
+    def _spray_zones(self, rate: float) -> list[SprayZone]:
+        """The gaps between the rolls in each zone, through which ``rate`` [particles/s] is sprayed evenly."""
+        case = self.case
+        edges = np.linspace(case.mould_bottom, 0.0, case.spray_zones + 1)
+        gaps = [(k + 1, *gap) for k, (high, low) in enumerate(pairwise(edges)) for gap in self._gaps(low, high)]
+        length = sum(high - low for _, low, high in gaps)
+        failure = case.spray_failure if case.spray_failure is not None else 1.0e9
+        return [
+            SprayZone(low, high, rate * (high - low) / length, off=failure if zone in case.spray_failing else 1.0e9)
+            for zone, low, high in gaps
+        ]
+
+    def _gaps(self, low: float, high: float) -> list[tuple[float, float]]:
+        """Stretches [m] between ``low`` and ``high`` that no roll stands before."""
+        gaps, top = [], high
+        for roll in [*self.rolls.heights, -np.inf]:
+            lower, upper = max(roll + self.rolls.radius, low), min(top, high)
+            if upper - lower > 0.0:
+                gaps.append((lower, upper))
+            top = min(top, roll - self.rolls.radius)
+        return gaps

@@ -11,11 +11,13 @@ from warpsph.core.state import Snapshot
 from warpsph.run.diagnostics import enthalpy_by_material
 from warpsph.run.events import Events
 from warpsph.run.measured import Measured, Values
+from warpsph.scenarios.casting.alarms import Alarms
 from warpsph.scenarios.casting.machine import CastingMachine
 from warpsph.scenarios.casting.parameters import CastingParameters
+from warpsph.scenarios.casting.shell import profile_heights, shell_profile
 from warpsph.scenarios.casting.watch import ShellWatch
 
-BINS = 22
+EXIT_MEAN = 1.0 / 3.0  # last part of a run over which the shell at the mould's exit is averaged
 
 
 class CastingObserver:
@@ -27,10 +29,9 @@ class CastingObserver:
     """
 
     def __init__(self, case: CastingParameters, machine: CastingMachine):
-        self.case, self.gauge, self.inlet, self.spray = case, machine.gauge, machine.inlet, machine.spray
-        self.noted: set[str] = set()
-        self.edges = np.linspace(0.0, case.level, BINS + 1)
-        self.heights = 0.5 * (self.edges[1:] + self.edges[:-1])
+        self.case, self.machine, self.gauge, self.spray = case, machine, machine.gauge, machine.spray
+        self.heights = profile_heights(case)
+        self._exit: dict[float, float] = {}  # thickness of the shell at the mould's exit, by time
 
     def begin(self, model: Model, snapshot: Snapshot, events: Events) -> None:
         """Remember the initial contents, and where events are noted."""
@@ -38,60 +39,55 @@ class CastingObserver:
         names = (self.case.steel.name, COPPER.name, WATER.name)
         self.steel, self.mould, self.water = (model.index_of(name) for name in names)
         self.start = enthalpy_by_material(snapshot, self.materials)
-        self._note = events.note
         self.watch = ShellWatch(self.case, self.steel, events.note)
+        self.alarms = Alarms(self.case, self.machine, events)
 
     def __call__(self, state: Snapshot, time: float) -> Values:
-        self._note_shortages(time)
-        self._note_passage(time)
-        thickness, surface = self._shell(state)
+        free = (state["material"] == self.steel) & (state["role"] == Role.FREE)
+        of_free = (state[name][free] for name in ("position", "solid_fraction", "temperature"))
+        thickness, surface = shell_profile(self.case, self.heights, *of_free)
+        self._exit[time] = float(np.interp(self.case.mould_bottom, self.heights, thickness))
+        speed = self.machine.speedometer.read()
+        self.alarms(time, float(self.gauge.speeds.numpy()[0]), speed)
         shell: Values = {
+            "height": Measured(self.heights, "m", "height"),
             "shell_thickness": Measured(thickness, "m", "shell thickness", over="height"),
             "shell_surface_temperature": Measured(
                 surface, "K", "shell surface temperature", over="height", colours="inferno"
             ),
+            "shell_speed": Measured(speed, "m/s", "highest speed of the shell"),
         }
         watched = self.watch(state, time, self.heights, thickness)
-        flow = self._flow(state) | self._stroke(state)
-        height: Values = {"height": Measured(self.heights, "m", "height")}
-        return flow | self._mass(state) | self._heat(state) | shell | watched | height
+        flow = self._flow(state) | self._stroke(state) | self._water(state)
+        return flow | self._mass(state) | self._heat(state) | shell | watched
 
     def describe(self, values: dict[str, Any]) -> str:
-        """One line for the progress bar."""
-        exit_bin = int(np.argmin(np.abs(self.heights - self.case.mould_bottom)))
-        shell = 1e3 * values["shell_thickness"][exit_bin]
+        """One line for the progress bar and the summary."""
+        times, thickness = np.array(list(self._exit.items())).T
+        late = 1e3 * thickness[times >= (1.0 - EXIT_MEAN) * times[-1]]
         early = values["time"] < self.case.passage - 1e-9
         unsteady = f", not yet steady (the start's strand is gone at {self.case.passage:.3g} s)" if early else ""
-        return f"level {values['level']:.3f} m, shell at mould exit {shell:.1f} mm{unsteady}"
+        shell = f"shell at mould exit {1e3 * thickness[-1]:.1f} mm (last third {late.mean():.1f} ± {late.std():.1f} mm)"
+        return f"level {values['level']:.3f} m, {shell}{unsteady}"
 
     def memory(self) -> dict[str, Any]:
-        return {"noted": sorted(self.noted), "watch": self.watch.memory()}
+        return {"exit": dict(self._exit), "watch": self.watch.memory(), "alarms": self.alarms.memory()}
 
     def restore(self, memory: dict[str, Any]) -> None:
-        self.noted = set(memory["noted"])
+        self._exit = {float(time): float(shell) for time, shell in memory["exit"].items()}
         self.watch.restore(memory["watch"])
-
-    def _note_passage(self, time: float) -> None:
-        if time >= self.case.passage - 1e-9 and "passage" not in self.noted:
-            self.noted.add("passage")
-            self._note(time, "the strand has passed through once: nothing is left of that of the start")
-
-    def _note_shortages(self, time: float) -> None:
-        for part, substance in ((self.inlet, "melt"), (self.spray, "water")):
-            if part.missing.numpy()[0] > 0 and substance not in self.noted:
-                self.noted.add(substance)
-                self._note(time, f"the reservoir has run out of {substance}")
+        self.alarms.restore(memory["alarms"])
 
     def _flow(self, state: Snapshot) -> Values:
         level, casting_speed, pouring_speed = (float(v) for v in self.gauge.speeds.numpy())
         x, y = state["position"][:, 0], state["position"][:, 1]
         column = (state["material"] == self.steel) & (state["role"] == Role.FREE)
         column &= (x > self.gauge.low[0]) & (x < self.gauge.high[0])
-        meniscus = float(np.percentile(y[column], 99.5)) if np.any(column) else np.nan
-        melt, water = (float(part.missing.numpy()[0]) for part in (self.inlet, self.spray))
+        top = float(np.percentile(y[column], 99.5)) + 0.5 * self.case.spacing if np.any(column) else np.nan
+        melt, water = (float(part.missing.numpy()[0]) for part in (self.machine.inlet, self.spray))
         return {
             "level": Measured(level, "m", "melt level, by weight"),
-            "meniscus": Measured(meniscus, "m", "meniscus"),
+            "meniscus": Measured(top, "m", "meniscus"),
             "casting_speed": Measured(casting_speed, "m/s", "casting speed"),
             "pouring_speed": Measured(pouring_speed, "m/s", "pouring speed"),
             "missing_melt": Measured(melt, "", "melt missing in the reservoir"),
@@ -109,6 +105,25 @@ class CastingObserver:
         return {
             "mould_velocity": Measured(of_mould, "m/s", "velocity of the mould"),
             "shell_velocity": Measured(of_skin, "m/s", "velocity of the shell's skin in the mould"),
+        }
+
+    def _water(self, state: Snapshot) -> Values:
+        """Water that the strand has closed over: still there, and taken out."""
+        x, y, z = state["position"].T
+        away = np.maximum(x, z) if self.case.dimension == 3 else x
+        steel = (state["material"] == self.steel) & (state["role"] == Role.FREE)
+        inside = 0
+        for drop in np.flatnonzero(state["role"] == Role.SPRAY):
+            beside = steel & (np.abs(y - y[drop]) < 0.5 * self.case.spacing)
+            if self.case.dimension == 3:
+                across = np.where(x > z, z, x)
+                beside &= (np.abs(across - across[drop]) < 0.5 * self.case.spacing) & ((x > z) == (x[drop] > z[drop]))
+            inside += bool(np.any(away[beside] > away[drop] + 0.5 * self.case.spacing))
+        return {
+            "water_inside": Measured(float(inside), "", "in the steel", panel="particles of water"),
+            "water_caught": Measured(
+                float(self.spray.caught.numpy()[0]), "", "closed over and taken out", panel="particles of water"
+            ),
         }
 
     def _mass(self, state: Snapshot) -> Values:
@@ -156,29 +171,3 @@ class CastingObserver:
             },
             "ledger_error": Measured(float(error), "", "relative error of the heat ledger"),
         }
-
-    def _shell(self, state: Snapshot) -> tuple[np.ndarray, np.ndarray]:
-        """Thickness [m] and surface temperature [K] of the shell (heights,) at the face at x = half width.
-
-        In 3D of the half of the face next to the axis.
-        """
-        case = self.case
-        inside = (state["material"] == self.steel) & (state["role"] == Role.FREE)
-        inside &= state["position"][:, 0] > 0.5 * case.half_width
-        breadth = 1.0
-        if case.dimension == 3:
-            breadth = 0.5 * case.half_width
-            inside &= state["position"][:, 2] < breadth
-        x, y = state["position"][inside, 0], state["position"][inside, 1]
-        solid = state["phase"][inside] == Phase.SOLID
-        temperature = state["temperature"][inside]
-        place = np.digitize(y, self.edges) - 1
-        strand = (place >= 0) & (place < BINS)
-        volume = np.bincount(place[strand & solid], minlength=BINS) * case.spacing**case.dimension
-        surface = np.full(BINS, np.nan)
-        for k in range(BINS):
-            here = strand & (place == k)
-            if np.any(here):
-                outermost = x[here] > np.max(x[here]) - 0.6 * case.spacing
-                surface[k] = np.mean(temperature[here][outermost])
-        return volume / (breadth * np.diff(self.edges)), surface

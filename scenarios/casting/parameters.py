@@ -74,7 +74,7 @@ class CastingParameters(Scenario):
     spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
 
     support_ratio: float = parameter(2.6, "", "support of the smoothing kernels over the spacing", ge=2.0, le=4.0)
-    step_factor: float = parameter(1.0, "", "time step of the flow over the stable one (7.6)", gt=0, le=10)
+    step_factor: float = parameter(1.0, "", "time step over the stable one; 2 is the most that holds", gt=0, le=2)
     elasticity: Literal["corrected", "published"] = parameter(
         "corrected", "", "displacement gradient: corrected for rotation, or as published"
     )
@@ -84,7 +84,7 @@ class CastingParameters(Scenario):
 
     roll_pitch: float = parameter(0.04, "m", "distance of the support rolls", gt=0, le=1)
     roll_first: float = parameter(0.215, "m", "height of the middle of the first roll", gt=0, le=5)
-    roll_size: float = parameter(0.008, "m", "height of the face of a roll", gt=0, le=0.5)
+    roll_radius: float = parameter(0.01, "m", "radius of the support rolls", gt=0, le=0.5)
 
     @model_validator(mode="after")
     def _check_geometry(self) -> "CastingParameters":
@@ -104,9 +104,9 @@ class CastingParameters(Scenario):
             refuse(
                 "nozzle_width", f"must lie between spacing {self.spacing} m and half of half_width {self.half_width} m"
             )
-        if self.spacing > 0.5 * self.roll_size:
-            refuse("spacing", f"a roll of roll_size {self.roll_size} m needs two rows of particles")
-        if self.roll_first + 0.5 * self.roll_size > self.mould_bottom:
+        if 2.0 * self.roll_radius > self.roll_pitch:
+            refuse("roll_radius", f"rolls at a roll_pitch of {self.roll_pitch} m must be thinner than that")
+        if self.roll_first + self.roll_radius > self.mould_bottom:
             refuse("roll_first", f"the first roll must stand below mould_bottom {self.mould_bottom} m")
         if any(not 1 <= zone <= self.spray_zones for zone in self.spray_failing):
             refuse("spray_failing", f"zones are counted from 1 to spray_zones {self.spray_zones}")
@@ -137,6 +137,11 @@ class CastingParameters(Scenario):
     def passage(self) -> float:
         """Time [s] after which nothing is left of the strand that the start was given."""
         return self.level / self.casting_speed
+
+    @property
+    def fastest_shell(self) -> float:
+        """Speed [m/s] that no part of the shell should exceed: the mould's at most, and five times the strand's."""
+        return np.pi * self.mould_frequency * self.mould_stroke + 5.0 * self.casting_speed
 
     @property
     def bore(self) -> float:

@@ -18,11 +18,12 @@ SETTLED = 1.0  # time after which the thickness counts as the one before the fai
 
 
 class ShellWatch:
-    """Notes three moments of a breakout, each once, with its height.
+    """Notes the moments of a breakout, each once, with its height.
 
     Thinning: where sprays have failed the shell, over three heights of its profile, has less than ``THIN`` of the mean
     thickness that it had there before. Hole: ``HOLE_ROWS`` rows of particles below the mould hold no solid, or melt has
-    come ``THROUGH`` the shell. Outflow: melt is ``OUTSIDE`` spacings outside the cold face.
+    come ``THROUGH`` the shell. Outflow: melt is ``OUTSIDE`` spacings outside the cold face. Melt that is outside above
+    the lower end of the mould has spilled over its rim.
 
     Args:
         case: the scenario.
@@ -55,13 +56,17 @@ class ShellWatch:
         shell, _ = np.histogram(y[solid & (x > 0.5 * self.case.half_width)], self._edges)
         open_rows = np.flatnonzero(shell == 0)
         outside = np.where(steel & ~solid, np.maximum(x, z) - self.case.half_width, -np.inf) / self.case.spacing
-        through, escaped = outside > THROUGH, outside > OUTSIDE
+        below = y < self.case.mould_bottom
+        through, escaped = below & (outside > THROUGH), below & (outside > OUTSIDE)
         if len(open_rows):
             self._note_at(time, "hole in the shell", self._edges[open_rows].mean() + HOLE_ROWS * self.case.spacing / 2)
         elif np.any(through):
             self._note_at(time, "hole in the shell", float(np.max(y[through])))
         if np.any(escaped):
             self._note_at(time, "melt runs out", float(np.max(y[escaped])))
+        spilled = ~below & (outside > OUTSIDE)
+        if np.any(spilled):
+            self._once(time, "spill", f"melt spills over the mould: it is at {np.max(y[spilled]):.3f} m outside of it")
         hole = float(len(open_rows) * HOLE_ROWS * self.case.spacing)
         return {
             "hole_height": Measured(hole, "m", "height without shell"),

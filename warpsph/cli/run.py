@@ -84,7 +84,7 @@ def run(
     result = _simulate(scenario, device, threads, path, overwrite, quiet)
     if not quiet:
         _conclude(result, path)
-    return 0 if result.status == "complete" else 130
+    return 130 if result.status == "interrupted" else 0
 
 
 def _layers(
@@ -150,7 +150,7 @@ def _conclude(result: Result, path: Path) -> None:
     for time, event in result.events:
         table.add_row(Text(f"at {time:.4g} s", style="bold"), Text(event))
     console.print(table)
-    if result.status != "complete":
+    if result.status == "interrupted":
         console.print(f"interrupted at {result.time:.4g} s; the frames until then are kept")
     console.print(Text(f"written: {path}"), soft_wrap=True)
     console.print(Text(f"next:    warpsph render {path}"), soft_wrap=True)

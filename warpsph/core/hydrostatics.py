@@ -5,21 +5,21 @@ The equations follow from dp/dz = -rho g with p = 0 at the surface and Tait's eq
 
 import numpy as np
 
-from warpsph.core.equation_of_state import pressure_of_density
+from warpsph.core.equation_of_state import stiffness
 from warpsph.kernels.flow.equation_of_state import GAMMA
 
 
 def column_density(depth: np.ndarray | float, density: float, gravity: float, sound_speed: float) -> np.ndarray | float:
     """Density [kg/m^3] at a depth [m] below the free surface; ``density`` is the reference density."""
-    compression = (GAMMA - 1.0) * gravity * np.maximum(depth, 0.0) / sound_speed**2
-    return density * (1.0 + compression) ** (1.0 / (GAMMA - 1.0))
+    return density * (1.0 + _compression(depth, gravity, sound_speed)) ** (1.0 / (GAMMA - 1.0))
 
 
 def column_pressure(
     depth: np.ndarray | float, density: float, gravity: float, sound_speed: float
 ) -> np.ndarray | float:
     """Pressure [Pa] at a depth [m] below the free surface."""
-    return pressure_of_density(column_density(depth, density, gravity, sound_speed), density, sound_speed)
+    ratio = np.log1p(_compression(depth, gravity, sound_speed)) / (GAMMA - 1.0)  # logarithm of density over reference
+    return stiffness(density, sound_speed) * np.expm1(GAMMA * ratio)
 
 
 def depth_of_pressure(
@@ -38,3 +38,7 @@ def row_heights(rows: int, spacing: float, gravity: float, sound_speed: float) -
     weight = gravity * spacing  # of a row, over the density
     depth = depth_of_pressure(weight * (np.arange(rows, 0, -1) - 0.5), 1.0, gravity, sound_speed)
     return np.asarray(depth_of_pressure(weight * rows, 1.0, gravity, sound_speed) - depth)
+
+
+def _compression(depth: np.ndarray | float, gravity: float, sound_speed: float) -> np.ndarray | float:
+    return (GAMMA - 1.0) * gravity * np.maximum(depth, 0.0) / sound_speed**2

@@ -7,6 +7,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Value
+from warpsph.core.hydrostatics import column_pressure
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
@@ -58,9 +59,15 @@ class LevelGauge(Term):
     )
     parts = Value(wp.float64, "kg", "partial sums of the weight", start=np.zeros(PARTS), scratch=True)
 
+    def mean_density(self, model: Model) -> float:
+        """Of the weakly compressible column [kg/m^3] that stands at rest up to the target level."""
+        fluid, gravity = model.the(Fluid), float(np.linalg.norm(model.gravity))
+        weight = column_pressure(self.target_level, fluid.reference_density, gravity, fluid.sound_speed)
+        return float(weight) / (gravity * self.target_level)
+
     def pressure_per_height(self, model: Model) -> float:
-        """rho_0 g [Pa/m]."""
-        return model.the(Fluid).reference_density * float(np.linalg.norm(model.gravity))
+        """rho g [Pa/m] of that column."""
+        return self.mean_density(model) * float(np.linalg.norm(model.gravity))
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         weight = self.pressure_per_height(model)
@@ -68,7 +75,7 @@ class LevelGauge(Term):
         section = column[0] * (column[2] if model.dimension == 3 else 1.0)
         constants = GaugeConstants()
         constants.low, constants.high = wp.vec3(*self.low), wp.vec3(*self.high)
-        constants.mass_per_height = model.the(Fluid).reference_density * section / model.lattice.density()
+        constants.mass_per_height = self.mean_density(model) * section / model.lattice.density()
         constants.response = self.response
         constants.pressure_per_height = weight
         constants.outflow_coefficient = self.casting_speed / (weight * self.target_level)

@@ -3,14 +3,19 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
 import warp as wp
 
 from warpsph.core.field import Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
+from warpsph.kernels.machine.rolls import RollConstants
 from warpsph.kernels.machine.spray import SprayZones, WaterConstants, boil, emit, ride
 from warpsph.machine.exchange import ExchangePart
+from warpsph.machine.rolls import Rolls
+
+STAND = 0.8  # distance of water from the strand that it stands on, in spacings
 
 
 @dataclass(frozen=True)
@@ -44,10 +49,13 @@ class Spray(ExchangePart):
         temperature: of the water [K].
         boiled: temperature on the enthalpy curve of the water at which it has vanished [K].
         material: name of the water.
+        end: height below which the water has left with the strand [m].
+        rolls: which the water cannot run into; none by default.
         breadth: length of the sprayed faces across the strand [m], 0 in the plane.
 
     Attributes:
         sprayed: (zones,) on the device: particles sprayed so far.
+        caught: (1,) on the device: particles that the strand has closed over, taken out.
         missing: (1,) on the device: particles that the reservoir could not give.
     """
 
@@ -59,10 +67,13 @@ class Spray(ExchangePart):
     temperature: float
     boiled: float
     material: str
+    end: float = -np.inf
+    rolls: Rolls | None = None
     breadth: float = 0.0
 
     due = Value(float, "", "fraction of the next particle of each zone", start=lambda spray: [0.0] * len(spray.zones))
     sprayed = Value(int, "", "particles sprayed in each zone", start=lambda spray: [0] * len(spray.zones))
+    caught = Value(int, "", "particles of water that the strand has closed over")
     missing = Value(int, "", "particles that the reservoir could not give")
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
@@ -75,11 +86,20 @@ class Spray(ExchangePart):
         water.nozzle, water.speed, water.reach, water.lost = self.nozzle, self.speed, self.near, self.lost
         water.enthalpy = float(substance.enthalpy(self.temperature))
         water.boiled = float(substance.enthalpy(self.boiled))
-        water.breadth = self.breadth
-        return super().constants(model, state) | {"zones": zones, "water": water}
+        water.breadth, water.end = self.breadth, self.end
+        water.spacing, water.stand = model.spacing, STAND * model.spacing
+        rolls = self.rolls.pack(model, state) if self.rolls else _no_rolls(state)
+        return super().constants(model, state) | {"zones": zones, "water": water, "rolls": rolls}
 
     def after_heat(self, launch: Launch) -> None:
+        launch.meet()
         launch(ride)
         launch(boil)
         launch.whole(emit)
         self.start_anew(launch)
+
+
+def _no_rolls(state: State) -> RollConstants:
+    rolls = RollConstants()
+    rolls.heights = wp.zeros(0, dtype=float, device=state.device)
+    return rolls

@@ -12,8 +12,9 @@ class Result:
     """The final state as NumPy arrays and the diagnostics as time series.
 
     ``positions`` (n, 3) [m] and ``fields`` (n, ...) hold every particle in the order of its id, those in the reservoir
-    too; ``quantities`` says what the diagnostics are called and in which unit; ``status`` is "complete" or
-    "interrupted"; ``materials`` are their names, by index; ``summary`` pairs a label with a text for people.
+    too; ``quantities`` says what the diagnostics are called and in which unit; ``status`` is "complete",
+    "interrupted", or what has become of the run, for example "strand lost"; ``materials`` are their names, by index;
+    ``summary`` pairs a label with a text for people.
     """
 
     positions: np.ndarray

@@ -172,7 +172,7 @@ class Simulation:
                     if schedule.at_frame or stopping:
                         recorder.keep()
                     meter.update(cycles, recorder.note)
-            status = "complete" if schedule.done else "interrupted"
+            status = (self.events.outcome or "complete") if schedule.done else "interrupted"
         except DivergenceError:
             status = "diverged"
             raise

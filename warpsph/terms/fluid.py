@@ -62,7 +62,8 @@ class Fluid(Term):
         return _reference_density(model) * model.cell_volume / model.lattice.density()
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        fluid_mass = np.where(particles.flows, self.particle_mass(model), 0.0)
+        cells = np.where(particles.volume > 0.0, particles.volume / model.cell_volume, 1.0)
+        fluid_mass = np.where(particles.flows, self.particle_mass(model) * cells, 0.0)
         moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
         flowing = moves & (fields["phase"] != Phase.SOLID)
         self._refuse_other_densities(model, fields["material"][moves if model.find(PhaseChange) else flowing])

@@ -103,3 +103,11 @@ def test_a_zone_that_will_fail_has_not_failed_yet(watch, events):
     """A hole at the start would be put down to a failure that comes later."""
     watch(strand(gap=(0.102, 0.122)), 0.1, HEIGHTS, np.full(22, 0.012))
     assert events == [(0.1, "hole in the shell at 0.112 m, zone 2 (sprayed)")]
+
+
+def test_melt_over_the_mould_is_no_hole(watch, events):
+    """A hole at 1.9 m, in the mould, would send people looking for it there."""
+    state = strand()
+    state["position"][0] = [0.13, 1.9, 0.0]
+    assert plain(watch(state, 6.0, HEIGHTS, np.full(22, 0.012))) == {"hole_height": 0.0, "escaped_melt": 0.0}
+    assert [text for _, text in events[1:]] == ["melt spills over the mould: it is at 1.900 m outside of it"]

@@ -8,7 +8,17 @@ from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import COPPER, WATER, thesis_steel
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
-from warpsph.machine import Inlet, LevelGauge, OscillatingMould, Outflow, Spray, SprayZone, SymmetryPlane
+from warpsph.machine import (
+    Inlet,
+    LevelGauge,
+    OscillatingMould,
+    Outflow,
+    Settling,
+    ShellSpeedometer,
+    Spray,
+    SprayZone,
+    SymmetryPlane,
+)
 from warpsph.run.simulation import Simulation
 from warpsph.terms import Conduction, Fluid, SummedDensity
 
@@ -168,3 +178,19 @@ def test_spray_boils_and_returns(device):
     in_water = np.sum((s["mass"].astype(float) * s["enthalpy"])[present])
     balance = in_water + s["heat_left"][of_water].sum() - s["heat_entered"][of_water].sum()
     assert lost_by_metal == pytest.approx(balance, rel=1e-3, abs=1.0)
+
+
+def test_the_speedometer_does_not_forget(device):
+    """A jump lasts a millisecond, and two frames are a hundred apart."""
+    particles = Particles()
+    place = np.array([[0.0, 0.0, 0.0], [0.1, 0.0, 0.0]])
+    particles.add(
+        place, Role.FREE, "steel", temperature=600.0, velocity=(0.0, 0.3, 0.0), phase=[Phase.SOLID, Phase.LIQUID]
+    )
+    meter, drag = ShellSpeedometer(), Settling(rate=500.0, until=1.0)
+    simulation = simulation_of(device, particles, [meter, drag])
+    simulation.run(0.05, 0.05)
+    assert 0.2 < meter.read() <= 0.3
+    assert meter.read() == 0.0
+    simulation.run(0.05, 0.05)
+    assert meter.read() < 1e-6
