@@ -1,5 +1,8 @@
 """The errors that a user can cause or must know of; the command line turns each into its exit code."""
 
+from numbers import Real
+from typing import Any
+
 
 class WarpsphError(Exception):
     """Base of the errors that warpsph raises on purpose; its text is one line a user can act on."""
@@ -21,6 +24,11 @@ def require(owner: object, name: str, holds: bool, allowed: str) -> None:
     """
     if not holds:
         raise InputError(f"{type(owner).__name__}: {name} = {getattr(owner, name)!r}: must be {allowed}")
+
+
+def number(value: Any) -> float:
+    """A value as a number; NaN, which is within no bounds, where it is none, such as a text or a list."""
+    return float(value) if isinstance(value, Real) else float("nan")
 
 
 class DivergenceError(WarpsphError):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.errors import InputError
@@ -20,7 +20,7 @@ from warpsph.terms import (
     SurfaceTension,
 )
 
-WATER = (inert("water", 1000.0),)
+WATER = (fluid_material("water", 1000.0),)
 NAN, INFINITE = float("nan"), float("inf")
 
 REFUSED: list[tuple[Callable[[], Any], str]] = [
