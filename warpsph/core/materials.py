@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsph.errors import InputError, number
+from warpsph.errors import InputError, number, shown
 
 
 @dataclass(frozen=True)
@@ -60,7 +60,7 @@ class Material:
 
     def _refuse_unless(self, holds: bool, argument: str, allowed: str) -> None:
         if not holds:
-            raise InputError(f"material {self.name}: {argument} = {getattr(self, argument)!r}: must be {allowed}")
+            raise InputError(f"material {self.name}: {argument} = {shown(getattr(self, argument))}: must be {allowed}")
 
     def enthalpy(self, temperature: float | np.ndarray) -> np.ndarray:
         """Specific enthalpy [J/kg] at a temperature [K]."""
@@ -106,10 +106,10 @@ def melting_material(
     """
     for label, value in (("heat_capacity", heat_capacity), ("latent_heat", latent_heat)):
         if not 0.0 <= number(value) < np.inf:
-            raise InputError(f"material {name}: {label} = {value!r}: must be zero or positive")
+            raise InputError(f"material {name}: {label} = {shown(value)}: must be zero or positive")
     for label, value in (("solidus", solidus), ("liquidus", liquidus)):
         if not 0.0 < number(value) < np.inf:
-            raise InputError(f"material {name}: {label} = {value!r}: must be positive [K]")
+            raise InputError(f"material {name}: {label} = {shown(value)}: must be positive [K]")
     top = liquidus + 1000.0
     at_solidus = heat_capacity * solidus
     at_liquidus = at_solidus + heat_capacity * (liquidus - solidus) + latent_heat
@@ -193,7 +193,7 @@ def _unchanging(
         raise InputError(f"material {name}: heat_capacity is missing; what conducts needs one [J/(kg K)]")
     capacity = NO_HEAT if heat_capacity is None else number(heat_capacity)
     if not 0.0 < capacity < np.inf:
-        raise InputError(f"material {name}: heat_capacity = {heat_capacity!r}: must be positive [J/(kg K)]")
+        raise InputError(f"material {name}: heat_capacity = {shown(heat_capacity)}: must be positive [J/(kg K)]")
     return Material(
         name=name,
         density=density,

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from warpsph.core.quantity import Quantity
+from warpsph.errors import InputError
+from warpsph.nearest import did_you_mean
 
 
 @dataclass
@@ -32,6 +34,8 @@ class Result:
         """Which particles (n,) are made of a material.
 
         Raises:
-            ValueError: there is no such material.
+            InputError: there is no such material.
         """
+        if material not in self.materials:
+            raise InputError(f"unknown material '{material}'{did_you_mean(material, self.materials)}")
         return self.fields["material"] == self.materials.index(material)

@@ -14,7 +14,7 @@ from warpsph.core.neighbours import refuse_overflow
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.neighbours.cells import clear
 from warpsph.kernels.neighbours.lists import clear_flag
@@ -63,11 +63,18 @@ class Elasticity(Term):
     support_ratio: float | None = None
 
     def __post_init__(self) -> None:
-        require(self, "youngs_modulus", 0.0 < self.youngs_modulus < np.inf, "positive [Pa]")
-        require(self, "poisson_ratio", -1.0 < self.poisson_ratio < 0.5, "between -1 and 0.5 (an incompressible solid)")
+        require(self, "youngs_modulus", 0.0 < number(self.youngs_modulus) < np.inf, "positive [Pa]")
+        require(
+            self,
+            "poisson_ratio",
+            -1.0 < number(self.poisson_ratio) < 0.5,
+            "between -1 and 0.5 (an incompressible solid)",
+        )
         ratio = self.support_ratio
-        require(self, "support_ratio", ratio is None or 1.2 <= ratio <= 10.0, "None, or from 1.2 to 10 spacings")
-        require(self, "hourglass", 0.0 <= self.hourglass < np.inf, "zero or positive")
+        require(
+            self, "support_ratio", ratio is None or 1.2 <= number(ratio) <= 10.0, "None, or from 1.2 to 10 spacings"
+        )
+        require(self, "hourglass", 0.0 <= number(self.hourglass) < np.inf, "zero or positive")
 
     provides = ("elasticity",)
     needs = ("forces",)
