@@ -52,8 +52,6 @@ class Conduction(Term):
     heat_held = Field(wp.float64, "J", "heat taken while the temperature was held (per metre of depth in 2D)")
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        if np.any(fields["temperature"] < 0.0):
-            raise InputError("particles: 'temperature' was given values below 0 K")
         enthalpy = np.zeros(len(particles))
         for index, substance in enumerate(model.materials):
             mine = fields["material"] == index
