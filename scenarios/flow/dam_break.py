@@ -65,15 +65,16 @@ class DamBreak(Scenario):
         box = tank(lower, (4.0 * L, 3.0 * L, *(high for _, high in depth)), dx)
         glass = (box[:, 2] < 0.0) | (box[:, 2] > 0.5 * L) if self.dimension == 3 else np.zeros(len(box), bool)
         cold = (box[:, 0] > 4.0 * L) & (box[:, 1] > 0.0) & ~glass
-        heat = {"conductivity": self.conductivity, "heat_capacity": self.heat_capacity}
+        density, viscosity = self.density, self.viscosity
+        k, c_p = self.conductivity, self.heat_capacity
         model = Model(
             dimension=self.dimension,
             spacing=dx,
             materials=(
-                fluid_material(LIQUID, self.density, self.viscosity, **heat),
-                solid_material(COLD_WALL, self.density, self.viscosity, **heat),
-                solid_material(TANK, self.density, self.viscosity),
-                solid_material(GLASS, self.density),
+                fluid_material(LIQUID, density, viscosity, conductivity=k, heat_capacity=c_p),
+                solid_material(COLD_WALL, density, viscosity, conductivity=k, heat_capacity=c_p),
+                solid_material(TANK, density, viscosity),
+                solid_material(GLASS, density),
             ),
             terms=(Fluid(self.density, self.sound_speed), SummedDensity(), Conduction()),
         )
