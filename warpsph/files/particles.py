@@ -117,8 +117,8 @@ def _refuse_bad_columns(path: Path, table: Mapping[str, np.ndarray]) -> None:
             raise InputError(f"{path}: '{name}' holds {values.dtype} values; numbers are needed")
         bad = ~np.isfinite(values).reshape(count, -1).all(axis=1)
         if np.any(bad):
-            where = f"the first in row {int(np.argmax(bad)) + 1} of {count}"
-            raise InputError(f"{path}: '{name}' has {int(bad.sum())} values that are not finite numbers, {where}")
+            where = f"{int(bad.sum())} of {count} rows, first in row {int(np.argmax(bad)) + 1}"
+            raise InputError(f"{path}: '{name}' is not a finite number in {where}")
 
 
 def _in_space(path: Path, position: np.ndarray, dimension: int) -> np.ndarray:

@@ -151,8 +151,8 @@ TEXTS = [
     ("a.csv", b"0.1,0.2\n0.3,0.4\n", "has no columns x, y and in 3D z, nor position; its columns: 0.1, 0.2"),
     ("a.csv", b"x;y\n1;2\n", "line 2: 'x;y' is '1;2'; a number is needed"),
     ("a.csv", b"x,y,temperature\n0,0,1\n\n0,1,hot\n", "line 4: 'temperature' is 'hot'; a number is needed"),
-    ("a.csv", b"x,y\n0,0\n1,nan\n", "'y' has 1 values that are not finite numbers, the first in row 2 of 2"),
-    ("a.csv", b"x,y,pressure\n0,0,inf\n", "'pressure' has 1 values that are not finite"),
+    ("a.csv", b"x,y\n0,0\n1,nan\n", "'y' is not a finite number in 1 of 2 rows, first in row 2"),
+    ("a.csv", b"x,y,pressure\n0,0,inf\n", "'pressure' is not a finite number in 1 of 1 rows"),
     ("a.csv", b"x,y,T\n1,2,3\n1,2\n", "line 3 has 2 values; the header names 3 columns"),
     ("a.csv", b"x,y,y\n1,2,3\n", "two columns are called 'y'"),
     ("a.csv", b"x,,y\n1,2,3\n", "a column has no name"),
@@ -194,7 +194,7 @@ def test_bad_arrays_give_one_line(tmp_path):
         (np.array(["a", "b"]), "'position' holds <U1 values"),
         (x.astype(complex), "'position' holds complex128 values"),
         (np.array([{}, {}], object), "is damaged or no file of particles"),
-        (np.full((4, 2), np.nan), "'position' has 4 values that are not finite"),
+        (np.full((4, 2), np.nan), "'position' is not a finite number in 4 of 4 rows"),
     ):
         np.save(tmp_path / "a.npy", content)
         assert words in refused(tmp_path / "a.npy")
