@@ -12,7 +12,7 @@ from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.errors import InputError
-from warpsph.machine import LevelGauge, OscillatingMould, Settling, SymmetryPlane
+from warpsph.machine import Inlet, LevelGauge, OscillatingMould, Outflow, Settling, Spray, SprayZone, SymmetryPlane
 from warpsph.terms import (
     ColourFieldTension,
     Conduction,
@@ -25,6 +25,14 @@ from warpsph.terms import (
 WATER = (fluid_material("water", 1000.0),)
 NAN, INFINITE = float("nan"), float("inf")
 SQUARE = lattice((0.0, 0.0), (0.1, 0.1), 0.02)
+GAUGE = LevelGauge((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), 0.1, 0.01, 1.0)
+INLET = {"gauge": GAUGE, "row": np.zeros((2, 3)), "direction": (1.0, 0.0, 0.0), "length": 0.1, "temperature": 300.0}
+OUTFLOW = {"gauge": GAUGE, "begin": 0.2, "end": 0.1, "width": 1.0}
+ZONE = {"low": 0.1, "high": 0.2, "rate": 10.0}
+SPRAY = {
+    "zones": [SprayZone(**ZONE)], "nozzle": 1.0, "speed": 1.0, "near": 0.01, "lost": 2.0, "temperature": 300.0,
+    "boiled": 373.0, "material": "water",
+}  # fmt: skip
 UNIT = ((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
 
 
@@ -68,6 +76,20 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: LevelGauge((0.0, 0.0), (1.0, 1.0), 0.1, 0.01, 1.0), "LevelGauge: high"),
     (lambda: LevelGauge(*UNIT, "high", 0.01, 1.0), "LevelGauge: target_level"),
     *((lambda v=v: LevelGauge(*UNIT, 0.1, v, 1.0), "LevelGauge: casting_speed") for v in (NAN, "fast")),
+    *(
+        (lambda kind=kind, given=given | {name: value}: kind(**given), f"{kind.__name__}: {name} = ")
+        for kind, given, wrong in (
+            (
+                Inlet,
+                INLET,
+                {"gauge": None, "row": [0.0], "direction": (1.0, 1.0, 0.0), "length": NAN, "temperature": -1},
+            ),
+            (Outflow, OUTFLOW, {"gauge": 3, "begin": "low", "end": 0.3, "width": 0.0}),
+            (SprayZone, ZONE, {"low": NAN, "high": 0.0, "rate": -1.0, "off": "never"}),
+            (Spray, SPRAY, {"zones": [1], "nozzle": NAN, "speed": 0.0, "near": "close", "lost": None, "breadth": -1.0}),
+        )
+        for name, value in wrong.items()
+    ),
     (lambda: add(np.array([[NAN, 0.0, 0.0]])), "particles: position: 1 of 1 are not finite"),
     (lambda: add(np.zeros((3, 2))), r"particles: position has the shape \(3, 2\)"),
     *((lambda x=x: add(x), "particles: position") for x in ("abc", None, [[1], [1, 2]], np.zeros((3, 3), complex))),
