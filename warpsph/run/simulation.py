@@ -157,6 +157,7 @@ class Simulation:
             if not 0.0 < number(value) < np.inf:
                 raise InputError(f"{name} = {value!r}: must be positive and finite [s]")
         _refuse_no_functions(progress=progress)
+        _refuse_other_kinds(parameters=({} if parameters is None else parameters, dict))
         writer = self._open(output, overwrite, parameters or {})
         started = wall_clock.perf_counter()
         recorder = self.recorder
@@ -248,7 +249,7 @@ class Simulation:
 def _refuse_other_kinds(**given: tuple[Any, type]) -> None:
     for name, (value, kind) in given.items():
         if not isinstance(value, kind):
-            raise InputError(f"Simulation: {name} = {shown(value)}: must be of the kind {kind.__name__}")
+            raise InputError(f"{name} = {shown(value)}: must be of the kind {kind.__name__}")
 
 
 def _refuse_no_functions(**given: Any) -> None:

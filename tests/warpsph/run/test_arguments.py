@@ -83,6 +83,7 @@ def test_particles_that_do_not_fit_the_case_are_refused(values, words):
         *(({"output_interval": value}, "output_interval = ") for value in (-1.0, 0.0, NAN, "often", None)),
         ({"output": 3}, "output = 3"),
         ({"progress": "bar"}, "progress = 'bar'"),
+        ({"parameters": 3}, "parameters = 3"),
     ],
 )
 def test_a_run_into_the_past_or_nowhere_is_refused(changed, words):
