@@ -9,6 +9,12 @@ from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of, 
 wp.set_module_options({"enable_backward": False})
 
 
+# What has become of the bonds of a particle
+UNCHANGED = wp.constant(0)
+CHANGED = wp.constant(1)
+NEW = wp.constant(2)
+
+
 @wp.struct
 class BondList:
     """Rows of bonds: ``count`` (n,), and for each bond (n * capacity,) its ``partner``, its ``separation`` x_i - x_j at
@@ -45,17 +51,20 @@ def update_bonds(
     phase: wp.array[int],
     froze: wp.array[int],
     bonds: BondList,
+    rebonded: wp.array[int],
     longest_bond_row: wp.array[int],
 ):
     """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``,
     of the same ``body``.
 
     A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
-    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. A row that would overflow is
-    cut and its full length goes to ``longest_bond_row`` (1,).
+    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. ``rebonded`` (n,) marks where
+    bonds have come or gone, and where they are the first ones. A row that would overflow is cut and its full length
+    goes to ``longest_bond_row`` (1,).
     """
     i = wp.tid() + first
     n = int(0)
+    kept = int(0)
     if phase[i] == Phase.SOLID:
         row = i * bonds.capacity
         if froze[i] == 0:
@@ -64,6 +73,7 @@ def update_bonds(
                 if phase[j] == Phase.SOLID and froze[j] == 0:
                     copy_bond(bonds, row + b, bonds, row + n)
                     n += 1
+        kept = n
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if phase[j] == Phase.SOLID and body[j] == body[i] and (froze[i] != 0 or froze[j] != 0):
@@ -78,6 +88,11 @@ def update_bonds(
                     n += 1
         if n > bonds.capacity:
             wp.atomic_max(longest_bond_row, 0, n)
+    rebonded[i] = UNCHANGED
+    if kept == 0:
+        rebonded[i] = NEW
+    elif kept != n or kept != bonds.count[i]:
+        rebonded[i] = CHANGED
     bonds.count[i] = wp.min(n, bonds.capacity)
 
 

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.neighbours.pairs import precise_difference
-from warpsph.kernels.solid.bonds import BondList
+from warpsph.kernels.solid.bonds import CHANGED, NEW, BondList
 
 wp.set_module_options({"enable_backward": False})
 
@@ -12,6 +12,7 @@ wp.set_module_options({"enable_backward": False})
 # cube, 0 in a row or a pair; and the smallest, because its inverse is how much stiffer a particle of few bonds is made.
 WORST_CONDITION = wp.constant(0.1)
 SMALLEST_MOMENT = wp.constant(0.06)
+SMALLEST_VOLUME = wp.constant(0.1)  # over the one at freezing, below which a deformation is not inverted
 
 
 @wp.struct
@@ -72,6 +73,30 @@ def invert_moments(
             correction[i] = wp.inverse(moment)
 
 
+@wp.func
+def deformation_of_bonds(
+    bonds: BondList,
+    i: int,
+    position: wp.array[wp.vec3],
+    position_carry: wp.array[wp.vec3],
+    body_volume: wp.array[float],
+    correction: wp.array[wp.mat33],
+) -> wp.mat33:
+    """Deformation gradient of a particle since its bonds were made.
+
+    Vijaykumar (2012), equations (4.6), (4.9), with the displacement gradient corrected by the moment matrix so that a
+    turned body feels no force.
+    """
+    gradient = wp.mat33()
+    for b in range(bonds.count[i]):
+        place = i * bonds.capacity + b
+        j = bonds.partner[place]
+        X = bonds.separation[place]
+        u_ij = X - precise_difference(position, position_carry, i, j)  # Vijaykumar (4.6)
+        gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
+    return wp.identity(n=3, dtype=float) + gradient * correction[i]
+
+
 @wp.kernel
 def find_stress(
     first: int,
@@ -81,31 +106,51 @@ def find_stress(
     position_carry: wp.array[wp.vec3],
     body_volume: wp.array[float],
     correction: wp.array[wp.mat33],
+    settled: wp.array[wp.mat33],
     deformation: wp.array[wp.mat33],
     stress: wp.array[wp.mat33],
 ):
-    """Write the deformation gradient and the stress of bonded particles, each (n,).
+    """Write the deformation gradient of the bonds and the stress of bonded particles, each (n,).
 
-    Vijaykumar (2012), equations (4.3), (4.5), (4.6), (4.9), with the displacement gradient corrected by the moment
-    matrix so that a turned body feels no force. ``stress`` is the first Piola-Kirchhoff stress [Pa] times the
-    correction, as the forces need it.
+    Vijaykumar (2012), equations (4.3), (4.5). ``stress`` is the first Piola-Kirchhoff stress [Pa] times the correction,
+    as the forces need it.
     """
     i = wp.tid() + first
     if bonds.count[i] > 0:
-        gradient = wp.mat33()
-        for b in range(bonds.count[i]):
-            place = i * bonds.capacity + b
-            j = bonds.partner[place]
-            X = bonds.separation[place]
-            u_ij = X - precise_difference(position, position_carry, i, j)  # Vijaykumar (4.6)
-            gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
-        gradient = gradient * correction[i]
+        of_bonds = deformation_of_bonds(bonds, i, position, position_carry, body_volume, correction)
+        F = of_bonds * settled[i]
         identity = wp.identity(n=3, dtype=float)
-        F = identity + gradient
         strain = 0.5 * (wp.transpose(F) * F - identity)  # Vijaykumar (4.3)
         sigma = 2.0 * elastic.lame_mu * strain + elastic.lame_lambda * wp.trace(strain) * identity  # (4.5)
-        deformation[i] = F
-        stress[i] = F * sigma * correction[i]
+        deformation[i] = of_bonds
+        stress[i] = F * sigma * wp.transpose(settled[i]) * correction[i]
+
+
+@wp.kernel
+def keep_strain(
+    first: int,
+    bonds: BondList,
+    position: wp.array[wp.vec3],
+    position_carry: wp.array[wp.vec3],
+    body_volume: wp.array[float],
+    correction: wp.array[wp.mat33],
+    rebonded: wp.array[int],
+    deformation: wp.array[wp.mat33],
+    settled: wp.array[wp.mat33],
+):
+    """Let every particle keep its strain where bonds come and go.
+
+    A bond that is made in a strained solid remembers nothing of the strain, and the gradient over all bonds would jump,
+    and the stress with it. ``settled`` (n,) takes up the difference: it leads from the shape without stress to the one
+    that the bonds count from.
+    """
+    i = wp.tid() + first
+    if rebonded[i] == NEW:
+        settled[i] = wp.identity(n=3, dtype=float)
+    elif rebonded[i] == CHANGED:
+        now = deformation_of_bonds(bonds, i, position, position_carry, body_volume, correction)
+        if wp.determinant(now) > SMALLEST_VOLUME:
+            settled[i] = wp.inverse(now) * deformation[i] * settled[i]
 
 
 @wp.kernel

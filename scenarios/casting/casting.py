@@ -8,7 +8,7 @@ from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario
 from warpsph.core.executor import Executor
-from warpsph.core.materials import COPPER, WATER, inert
+from warpsph.core.materials import COPPER, WATER, solid_material
 from warpsph.core.model import Model
 from warpsph.machine import OscillatingMould
 from warpsph.run.result import Result
@@ -35,7 +35,7 @@ class Casting(CastingParameters):
     def model(self) -> Model:
         """The physics of the strand and its surroundings, without the parts of the machine."""
         steel, copper = self.steel, replace(COPPER, viscosity=self.mould_friction)
-        materials = (steel, copper, inert(DUMMY, self.density), WATER)
+        materials = (steel, copper, solid_material(DUMMY, self.density), WATER)
         plain = Model(self.dimension, self.spacing, materials, support_ratio=self.support_ratio)
         contact = {
             (steel.name, copper.name): contact_conductivity(plain, self.mould_conductance),

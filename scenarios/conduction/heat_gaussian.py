@@ -8,7 +8,7 @@ from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import conductor
+from warpsph.core.materials import solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
@@ -47,7 +47,7 @@ class HeatGaussian(Scenario):
 
     def build(self, executor: Executor) -> Simulation:
         conductivity = self.diffusivity * DENSITY * HEAT_CAPACITY
-        plate = conductor("plate", density=DENSITY, heat_capacity=HEAT_CAPACITY, conductivity=conductivity)
+        plate = solid_material("plate", DENSITY, heat_capacity=HEAT_CAPACITY, conductivity=conductivity)
         model = Model(
             dimension=2,
             spacing=self.spacing,

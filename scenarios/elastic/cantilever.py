@@ -10,7 +10,7 @@ from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
@@ -63,7 +63,7 @@ class Cantilever(Scenario):
             dimension=2,
             spacing=dx,
             support_ratio=self.support_ratio,
-            materials=(inert("rubber", self.density),),
+            materials=(solid_material("rubber", self.density),),
             gravity=(0.0, 0.0, 0.0),
             terms=(elasticity,),
         )

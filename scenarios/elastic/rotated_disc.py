@@ -9,7 +9,7 @@ from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
@@ -43,7 +43,7 @@ class RotatedDisc(Scenario):
         model = Model(
             dimension=2,
             spacing=self.spacing,
-            materials=(inert("shell", DENSITY),),
+            materials=(solid_material("shell", DENSITY),),
             gravity=(0.0, 0.0, 0.0),
             terms=(Elasticity(self.youngs_modulus, self.poisson_ratio, corrected=self.corrected),),
         )

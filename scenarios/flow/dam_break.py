@@ -11,7 +11,7 @@ from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import Material, conductor, inert
+from warpsph.core.materials import fluid_material, solid_material
 from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
@@ -65,14 +65,16 @@ class DamBreak(Scenario):
         box = tank(lower, (4.0 * L, 3.0 * L, *(high for _, high in depth)), dx)
         glass = (box[:, 2] < 0.0) | (box[:, 2] > 0.5 * L) if self.dimension == 3 else np.zeros(len(box), bool)
         cold = (box[:, 0] > 4.0 * L) & (box[:, 1] > 0.0) & ~glass
+        density, viscosity = self.density, self.viscosity
+        k, c_p = self.conductivity, self.heat_capacity
         model = Model(
             dimension=self.dimension,
             spacing=dx,
             materials=(
-                self._conductor(LIQUID),
-                self._conductor(COLD_WALL),
-                inert(TANK, self.density, self.viscosity),
-                inert(GLASS, self.density),
+                fluid_material(LIQUID, density, viscosity, conductivity=k, heat_capacity=c_p),
+                solid_material(COLD_WALL, density, viscosity, conductivity=k, heat_capacity=c_p),
+                solid_material(TANK, density, viscosity),
+                solid_material(GLASS, density),
             ),
             terms=(Fluid(self.density, self.sound_speed), SummedDensity(), Conduction()),
         )
@@ -90,15 +92,6 @@ class DamBreak(Scenario):
         if self.dimension == 3:
             faces += [((0, 0, 1), 0.0), ((0, 0, -1), -depth)]
         return [SymmetryPlane(normal, offset) for normal, offset in faces]
-
-    def _conductor(self, name: str) -> Material:
-        return conductor(
-            name,
-            density=self.density,
-            heat_capacity=self.heat_capacity,
-            conductivity=self.conductivity,
-            viscosity=self.viscosity,
-        )
 
     def _observe(self, state: Snapshot, time: float) -> Values:
         liquid, wall = state["role"] == Role.FREE, state["role"] == Role.WALL

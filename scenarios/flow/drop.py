@@ -10,7 +10,7 @@ from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.equation_of_state import density_of_pressure
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
@@ -58,7 +58,7 @@ class Drop(Scenario):
             dimension=2,
             spacing=dx,
             support_ratio=self.support_ratio,
-            materials=(inert("liquid", self.density, self.viscosity),),
+            materials=(fluid_material("liquid", self.density, self.viscosity),),
             gravity=(0.0, 0.0, 0.0),
             terms=(
                 Fluid(self.density, self.sound_speed),

@@ -11,7 +11,7 @@ from warpsph.core.executor import Executor
 from warpsph.core.hydrostatics import column_density, column_pressure, depth_of_pressure
 from warpsph.core.labels import Role
 from warpsph.core.lattice import Lattice
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material, solid_material
 from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
@@ -89,7 +89,7 @@ class Hydrostatic(Scenario):
             dimension=2,
             spacing=dx,
             support_ratio=self.support_ratio,
-            materials=(inert("melt", self.density, self.viscosity), inert("wall", self.density)),
+            materials=(fluid_material("melt", self.density, self.viscosity), solid_material("wall", self.density)),
             terms=(Fluid(self.density, self.sound_speed), SummedDensity()),
         )
         melt = lattice((0.0, 0.0), (width, top), dx)

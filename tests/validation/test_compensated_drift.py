@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.run.simulation import Simulation
@@ -16,7 +16,7 @@ TOLERANCE = 1e-6  # a few units in the last place of single precision, which are
 @pytest.mark.parametrize(("start", "speed"), [(2.0, 1e-3), (-2.0, -1e-3), (2.0, -1e-3)])
 def test_lands_where_it_should(start, speed, device):
     """Otherwise a strand withdrawn at a centimetre a second would stand still."""
-    model = Model(2, 0.01, (inert("marker", 1000.0),), gravity=(0.0, 0.0, 0.0))
+    model = Model(2, 0.01, (fluid_material("marker", 1000.0),), gravity=(0.0, 0.0, 0.0))
     particles = Particles()
     particles.add(np.array([[start, 0.0, 0.0]]), Role.FREE, velocity=(speed, 0.0, 0.0))
     result = Simulation(Executor(device, 1), model, particles, dt=1e-5).run(1.0, 1.0)

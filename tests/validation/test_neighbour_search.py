@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.kernels.neighbours.pairs import NeighbourList
@@ -38,7 +38,7 @@ def compared_on_the_way(
     velocity[:, dimension:] = 0.0
     particles = Particles()
     particles.add(x, Role.FREE, velocity=velocity)
-    model = Model(dimension, SPACING, (inert("marker", 1000.0),), gravity=(0.0, 0.0, 0.0))
+    model = Model(dimension, SPACING, (fluid_material("marker", 1000.0),), gravity=(0.0, 0.0, 0.0))
     simulation = Simulation(
         Executor(device), model, particles, dt=0.01, observe=lambda state, time: comparison(simulation)
     )

@@ -186,6 +186,6 @@ def _thread_count(threads: int | None) -> int:
     cores = available_cores()
     if threads is None:
         return cores
-    if not 1 <= threads <= cores:
-        raise InputError(f"threads = {threads}: this machine has {cores} core(s); give 1 to {cores}")
+    if not (isinstance(threads, int) and 1 <= threads <= cores):
+        raise InputError(f"threads = {threads!r}: this machine has {cores} core(s); give 1 to {cores}")
     return threads

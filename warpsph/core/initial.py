@@ -64,6 +64,8 @@ def _refuse_misfits(field: Field, values: np.ndarray) -> None:
         raise InputError(f"particles: '{field.name}' was given values that are not finite numbers")
     if field.dtype is int and (np.any(values != np.round(values)) or np.any(np.abs(values) > 2**31 - 1)):
         raise InputError(f"particles: '{field.name}' was given values that are not integers of 32 bits")
+    if field.name == "mass" and np.any(values <= 0.0):
+        raise InputError("particles: 'mass' was given values that are not positive [kg, or kg/m in 2D]")
     if field.name == "phase" and not np.all(np.isin(values, list(Phase))):
         raise InputError(f"particles: 'phase' must be one of {', '.join(f'Phase.{phase.name}' for phase in Phase)}")
 
@@ -91,8 +93,9 @@ def _declared_fields(model: Model) -> dict[str, Field]:
 
 def _identity(model: Model, particles: Particles) -> dict[str, np.ndarray]:
     """Who each particle is and what it weighs."""
-    sizes = [len(block.position) for block in particles.blocks]
-    material = np.repeat([model.index_of(block.material) for block in particles.blocks], sizes)
+    names = particles.material
+    indices = {name: model.index_of(name) for name in dict.fromkeys(names)}
+    material = np.array([indices[name] for name in names])
     densities = np.array([material.density for material in model.materials])
     volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
     return {

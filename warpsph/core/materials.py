@@ -1,10 +1,11 @@
 """Materials as data: enthalpy curve, conductivity, viscosity, with the source of the numbers."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from warpsph.errors import InputError
+from warpsph.errors import InputError, number, shown
 
 
 @dataclass(frozen=True)
@@ -20,6 +21,9 @@ class Material:
         viscosity: dynamic viscosity of the fluid [Pa s].
         solidus, liquidus: melting range [K].
         source: where the numbers come from.
+
+    Raises:
+        InputError: a density is not positive, a conductivity or a viscosity is negative, or a curve does not rise.
     """
 
     name: str
@@ -34,7 +38,17 @@ class Material:
     source: str
 
     def __post_init__(self) -> None:
+        self._refuse_unless(isinstance(self.name, str) and self.name != "", "name", "a text")
+        self._refuse_unless(0.0 < number(self.density) < np.inf, "density", "positive [kg/m^3]")
+        for label in ("conductivity_solid", "conductivity_liquid", "viscosity"):
+            unit = "Pa s" if label == "viscosity" else "W/(m K)"
+            self._refuse_unless(0.0 <= number(getattr(self, label)) < np.inf, label, f"zero or positive [{unit}]")
+        for label in ("solidus", "liquidus"):
+            self._refuse_unless(bool(np.isfinite(number(getattr(self, label)))), label, "a number [K]")
         for label, nodes in (("temperatures", self.temperatures), ("enthalpies", self.enthalpies)):
+            several = isinstance(nodes, Sequence | np.ndarray)
+            finite = several and bool(np.all(np.isfinite([number(node) for node in nodes])))
+            self._refuse_unless(finite, label, "finite numbers")
             if len(nodes) < 2 or np.any(np.diff(nodes) <= 0.0):
                 raise InputError(f"material {self.name}: {label} need two or more nodes that rise strictly")
         if len(self.temperatures) != len(self.enthalpies):
@@ -43,6 +57,10 @@ class Material:
             raise InputError(
                 f"material {self.name}: solidus {self.solidus} K must lie below liquidus {self.liquidus} K"
             )
+
+    def _refuse_unless(self, holds: bool, argument: str, allowed: str) -> None:
+        if not holds:
+            raise InputError(f"material {self.name}: {argument} = {shown(getattr(self, argument))}: must be {allowed}")
 
     def enthalpy(self, temperature: float | np.ndarray) -> np.ndarray:
         """Specific enthalpy [J/kg] at a temperature [K]."""
@@ -57,7 +75,9 @@ class Material:
         return np.clip((self.liquidus - np.asarray(temperature)) / (self.liquidus - self.solidus), 0.0, 1.0)
 
 
-NEVER_FROZEN = (1.0, 2.0)  # solidus and liquidus [K] of what stays as it is
+NEVER_FREEZES = (1.0, 2.0)  # solidus and liquidus [K] of what stays as it is
+NEVER_MELTS = (1.0e9, 2.0e9)
+NO_HEAT = 1000.0  # heat capacity [J/(kg K)] of what conducts no heat and therefore keeps its temperature
 
 
 def _piecewise_linear(x, nodes, values):
@@ -84,6 +104,12 @@ def melting_material(
 
     The enthalpy counts from 0 K: ``heat_capacity * T`` below the solidus.
     """
+    for label, value in (("heat_capacity", heat_capacity), ("latent_heat", latent_heat)):
+        if not 0.0 <= number(value) < np.inf:
+            raise InputError(f"material {name}: {label} = {shown(value)}: must be zero or positive")
+    for label, value in (("solidus", solidus), ("liquidus", liquidus)):
+        if not 0.0 < number(value) < np.inf:
+            raise InputError(f"material {name}: {label} = {shown(value)}: must be positive [K]")
     top = liquidus + 1000.0
     at_solidus = heat_capacity * solidus
     at_liquidus = at_solidus + heat_capacity * (liquidus - solidus) + latent_heat
@@ -101,46 +127,84 @@ def melting_material(
     )
 
 
-def conductor(
-    name: str, *, density: float, heat_capacity: float, conductivity: float, viscosity: float = 0.0, source: str = ""
+def fluid_material(
+    name: str,
+    density: float,
+    viscosity: float = 0.0,
+    *,
+    conductivity: float = 0.0,
+    heat_capacity: float | None = None,
+    source: str = "",
 ) -> Material:
-    """A material that conducts, as a solid or as a fluid, and never freezes or melts.
+    """A fluid that never freezes.
+
+    Args:
+        name: for messages and pictures.
+        density: [kg/m^3], that of the term :class:`~warpsph.terms.Fluid`.
+        viscosity: dynamic viscosity [Pa s].
+        conductivity: thermal conductivity [W/(m K)]; by default it conducts no heat.
+        heat_capacity: [J/(kg K)], of what conducts; the enthalpy counts from 0 K.
+        source: where the numbers come from.
+
+    Raises:
+        InputError: a number is out of bounds, or something conducts and has no heat capacity.
+    """
+    return _unchanging(name, density, viscosity, conductivity, heat_capacity, source, NEVER_FREEZES)
+
+
+def solid_material(
+    name: str,
+    density: float,
+    viscosity: float = 0.0,
+    *,
+    conductivity: float = 0.0,
+    heat_capacity: float | None = None,
+    source: str = "",
+) -> Material:
+    """A solid that never melts: an elastic body, a wall, a dummy.
+
+    How stiff elastic bodies are is said by the term :class:`~warpsph.terms.Elasticity`, one for all of a case.
 
     Args:
         name: for messages and pictures.
         density: [kg/m^3].
-        heat_capacity: [J/(kg K)]; the enthalpy counts from 0 K.
-        conductivity: [W/(m K)].
-        viscosity: [Pa s], where it flows.
+        viscosity: of a wall, with which it holds back the fluid that passes [Pa s].
+        conductivity: thermal conductivity [W/(m K)]; by default it conducts no heat.
+        heat_capacity: [J/(kg K)], of what conducts; the enthalpy counts from 0 K.
         source: where the numbers come from.
+
+    Raises:
+        InputError: a number is out of bounds, or something conducts and has no heat capacity.
     """
+    return _unchanging(name, density, viscosity, conductivity, heat_capacity, source, NEVER_MELTS)
+
+
+def _unchanging(
+    name: str,
+    density: float,
+    viscosity: float,
+    conductivity: float,
+    heat_capacity: float | None,
+    source: str,
+    melting_range: tuple[float, float],
+) -> Material:
+    """A material of constant heat capacity whose melting range is never reached."""
+    if heat_capacity is None and number(conductivity) > 0.0:
+        raise InputError(f"material {name}: heat_capacity is missing; what conducts needs one [J/(kg K)]")
+    capacity = NO_HEAT if heat_capacity is None else number(heat_capacity)
+    if not 0.0 < capacity < np.inf:
+        raise InputError(f"material {name}: heat_capacity = {shown(heat_capacity)}: must be positive [J/(kg K)]")
     return Material(
         name=name,
         density=density,
         temperatures=(0.0, 1000.0),
-        enthalpies=(0.0, 1000.0 * heat_capacity),
+        enthalpies=(0.0, 1000.0 * capacity),
         conductivity_solid=conductivity,
         conductivity_liquid=conductivity,
         viscosity=viscosity,
-        solidus=NEVER_FROZEN[0],
-        liquidus=NEVER_FROZEN[1],
+        solidus=melting_range[0],
+        liquidus=melting_range[1],
         source=source,
-    )
-
-
-def inert(name: str, density: float, viscosity: float = 0.0) -> Material:
-    """A material that conducts no heat and never melts, for dummies and for flows without heat."""
-    return Material(
-        name=name,
-        density=density,
-        temperatures=(0.0, 1000.0),
-        enthalpies=(0.0, 1.0e6),
-        conductivity_solid=0.0,
-        conductivity_liquid=0.0,
-        viscosity=viscosity,
-        solidus=1.0e9,
-        liquidus=2.0e9,
-        source="inert by definition",
     )
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from warpsph.core.lattice import Lattice
 from warpsph.core.materials import Material
-from warpsph.errors import InputError, require
+from warpsph.errors import InputError, number, numbers, require
 from warpsph.nearest import did_you_mean
 
 GRAVITY = 9.81  # [m/s^2]
@@ -41,13 +41,17 @@ class Model:
 
     def __post_init__(self) -> None:
         require(self, "dimension", self.dimension in (2, 3), "2 or 3")
-        require(self, "spacing", 0.0 < self.spacing < np.inf, "positive [m]")
-        require(self, "support_ratio", 1.2 <= self.support_ratio <= 10.0, "from 1.2 to 10 spacings, for neighbours")
-        require(self, "gravity", len(self.gravity) == 3 and bool(np.all(np.isfinite(self.gravity))), "three numbers")
+        require(self, "spacing", 0.0 < number(self.spacing) < np.inf, "positive [m]")
+        require(
+            self, "support_ratio", 1.2 <= number(self.support_ratio) <= 10.0, "from 1.2 to 10 spacings, for neighbours"
+        )
+        require(self, "gravity", bool(np.all(np.isfinite(numbers(self.gravity, 3)))), "three numbers")
         require(self, "terms", isinstance(self.terms, tuple | list), "a tuple of terms")
         planar = self.dimension == 2 and self.gravity[2] != 0.0
         require(self, "gravity", not planar, "in the plane: its third number is 0 in two dimensions")
-        require(self, "materials", len(self.materials) > 0, "one material or more")
+        several = isinstance(self.materials, tuple | list) and len(self.materials) > 0
+        whole = several and all(isinstance(material, Material) for material in self.materials)
+        require(self, "materials", whole, "a tuple of one material or more")
         names = [material.name for material in self.materials]
         for name in names:
             if names.count(name) > 1:

@@ -1,22 +1,22 @@
 """Placing particles on the host, before they become the state of a simulation."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from warpsph.core.labels import Phase, Role
-from warpsph.errors import InputError
+from warpsph.errors import InputError, number, numbers, shown
 
 
 @dataclass
 class Block:
-    """Particles that were added together: places (n, 3) [m], a role, the name of a material, and values by field."""
+    """Particles that were added together: places (n, 3) [m], roles, names of materials (n,), and values by field."""
 
     position: np.ndarray
     role: np.ndarray
-    material: str | None
+    material: np.ndarray
     volume: np.ndarray
     flows: np.ndarray
     values: dict[str, np.ndarray]
@@ -33,9 +33,10 @@ class Particles:
 
     def add(
         self,
+        /,
         position: np.ndarray,
         role: Role | np.ndarray,
-        material: str | None = None,
+        material: str | Sequence[str] | np.ndarray | None = None,
         *,
         velocity: tuple[float, float, float] | np.ndarray = (0.0, 0.0, 0.0),
         phase: Phase | np.ndarray = Phase.LIQUID,
@@ -48,7 +49,7 @@ class Particles:
         Args:
             position: places (n, 3) [m].
             role: who moves them.
-            material: name of one of the model's materials; None is the only one that the model has.
+            material: name of one of the model's materials, or one name each; None is the only one that the model has.
             velocity: (3,) or (n, 3) [m/s].
             phase: those whose phase is solid are bonded as they stand where the model is elastic; a phase change may
                 melt them later.
@@ -58,12 +59,13 @@ class Particles:
                 whether the temperature stays and the heat they take is counted; ``body``, to which they belong.
 
         Raises:
-            InputError: places are not (n, 3), or not finite; roles, volumes or flows are not what they must be.
+            InputError: places are not (n, 3), or not finite; roles, materials, volumes or flows are not what they must
+                be.
         """
-        try:
-            position = np.asarray(position, float)
-        except (TypeError, ValueError):
-            raise InputError("particles: position is no array of numbers; give (n, 3)") from None
+        position = _array("position", position)
+        if position.dtype.kind not in "iuf":
+            raise InputError("particles: position is no array of numbers; give (n, 3)")
+        position = position.astype(float)
         if position.size == 0:
             position = position.reshape(0, 3)
         if position.ndim != 2 or position.shape[1] != 3:
@@ -78,12 +80,27 @@ class Particles:
             Block(
                 position,
                 _one_each("role", role, n, "one of Role", list(Role)).astype(np.int32),
-                material,
+                _names("material", material, n),
                 _one_each("volume", volume, n, "zero or positive [m^3 or m^2]").astype(float),
                 _one_each("flows", flows, n, "true or false", [False, True]).astype(bool),
-                {name: np.array(value) for name, value in given.items()},
+                {name: _array(name, value) for name, value in given.items()},
             )
         )
+
+    def add_table(self, table: Mapping[str, Any], /, role: Role | np.ndarray | None = None, **given: Any) -> None:
+        """Append the particles of a table: a column for each argument of :meth:`add`, (n, 3) or (n,) values each.
+
+        :func:`warpsph.files.particles.read_particles` makes such a table of a file. What is ``given`` here, by the
+        names of the arguments of :meth:`add`, takes the place of the table's column.
+
+        Raises:
+            InputError: it has no column "position", no role is known, or a column is not what it must be.
+        """
+        columns: dict[str, Any] = {**table, **given} | ({} if role is None else {"role": role})
+        for name, remedy in (("position", "a column of that name is needed"), ("role", "give one, such as Role.FREE")):
+            if name not in columns:
+                raise InputError(f"particles: the table has no {name}: {remedy}")
+        self.add(**columns)
 
     @property
     def position(self) -> np.ndarray:
@@ -94,6 +111,11 @@ class Particles:
     def role(self) -> np.ndarray:
         """Roles (n,)."""
         return np.concatenate([block.role for block in self.blocks] or [np.zeros(0, np.int32)])
+
+    @property
+    def material(self) -> np.ndarray:
+        """Names of materials (n,), None for the only one that there is."""
+        return np.concatenate([block.material for block in self.blocks] or [np.zeros(0, object)])
 
     @property
     def volume(self) -> np.ndarray:
@@ -133,12 +155,30 @@ class Particles:
         return np.concatenate(columns)
 
 
+def _array(name: str, value: Any) -> np.ndarray:
+    """A copy as an array."""
+    try:
+        return np.array(value)
+    except (TypeError, ValueError):
+        raise InputError(f"particles: {name} is no array of numbers; give one for all or one for each") from None
+
+
+def _names(name: str, value: Any, n: int) -> np.ndarray:
+    """Names (n,), one for all or one each; None stands for the only one that there is."""
+    values = np.empty(n, object)
+    one_each = isinstance(value, np.ndarray | Sequence) and not isinstance(value, str) and np.shape(value) == (n,)
+    values[:] = [str(v) if isinstance(v, str) else v for v in value] if one_each else [value] * n
+    if not all(v is None or isinstance(v, str) for v in values):
+        raise InputError(f"particles: {name} = {shown(value)}: must be a name, one for all or one for each of {n}")
+    return values
+
+
 def _one_each(name: str, value: Any, n: int, allowed: str, of: Sequence[Any] | None = None) -> np.ndarray:
     """One value for each of n particles (n,), of those that are allowed, or else zero or positive."""
-    values = np.asarray(value)
+    values = _array(name, value)
     right = values.shape in ((), (n,)) and values.dtype.kind in "biuf"
     if not right or not np.all(np.isin(values, of) if of is not None else (values >= 0.0) & np.isfinite(values)):
-        raise InputError(f"particles: {name} = {value!r}: must be {allowed}, one for all or one for each of {n}")
+        raise InputError(f"particles: {name} = {shown(value)}: must be {allowed}, one for all or one for each of {n}")
     return np.broadcast_to(values, n)
 
 
@@ -146,15 +186,26 @@ def lattice(lower: Sequence[float], upper: Sequence[float], spacing: float) -> n
     """Centres (n, 3) of the square (or cubic) cells of edge ``spacing`` that fill a box, z = 0 for a box in the plane.
 
     Each edge holds the nearest whole number of cells; the lattice starts at ``lower``.
+
+    Raises:
+        InputError: the corners are not two of two or three numbers each, or ``spacing`` is not positive.
     """
+    _refuse_no_box("lattice", lower, upper, spacing)
     counts = [max(round((high - low) / spacing), 0) for low, high in zip(lower, upper, strict=True)]
     axes = [low + (np.arange(n) + 0.5) * spacing for low, n in zip(lower, counts, strict=True)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))
     return points if points.shape[1] == 3 else np.column_stack([points, np.zeros(len(points))])
 
 
-def tank(lower: tuple[float, ...], upper: tuple[float, ...], spacing: float, layers: int = 3) -> np.ndarray:
-    """Lattice points (n, 3) of an open box: floor and side walls of ``layers`` particles, nothing on top (+y)."""
+def tank(lower: Sequence[float], upper: Sequence[float], spacing: float, layers: int = 3) -> np.ndarray:
+    """Lattice points (n, 3) of an open box: floor and side walls of ``layers`` particles, nothing on top (+y).
+
+    Raises:
+        InputError: as :func:`lattice` does; or there is no layer.
+    """
+    _refuse_no_box("tank", lower, upper, spacing)
+    if not number(layers) >= 1:
+        raise InputError(f"tank: layers = {shown(layers)}: must be 1 or more")
     thickness = layers * spacing
     outer_lower = [low - thickness for low in lower]
     outer_upper = [high + thickness for high in upper]
@@ -164,3 +215,14 @@ def tank(lower: tuple[float, ...], upper: tuple[float, ...], spacing: float, lay
     for axis, (low, high) in enumerate(zip(lower, upper, strict=True)):
         inside &= (points[:, axis] > low) & (points[:, axis] < high)
     return points[~inside]
+
+
+def _refuse_no_box(what: str, lower: Sequence[float], upper: Sequence[float], spacing: float) -> None:
+    """Corners are two or three numbers each; a spacing is positive."""
+    same = any(np.all(np.isfinite([numbers(lower, n), numbers(upper, n)])) for n in (2, 3))
+    if not same:
+        raise InputError(
+            f"{what}: lower, upper = {shown(lower)}, {shown(upper)}: must be two corners of two or three numbers [m]"
+        )
+    if not 0.0 < number(spacing) < np.inf:
+        raise InputError(f"{what}: spacing = {shown(spacing)}: must be positive [m]")

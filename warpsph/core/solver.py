@@ -14,6 +14,7 @@ from warpsph.core.neighbours import Neighbours
 from warpsph.core.state import State
 from warpsph.core.term import MOMENTS, Term, acts_at
 from warpsph.errors import InputError
+from warpsph.nearest import did_you_mean
 
 
 class Solver:
@@ -140,8 +141,10 @@ class Solver:
         one quantity anew without a step.
 
         Raises:
-            KeyError: there is no such moment.
+            InputError: there is no such moment.
         """
+        if moment not in self._acts:
+            raise InputError(f"there is no moment '{moment}'{did_you_mean(moment, self._acts)}")
         for term, launch in self._acts[moment]:
             getattr(term, moment)(launch)
 

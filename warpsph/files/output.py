@@ -43,6 +43,8 @@ class ResultWriter:
         overwrite: bool = False,
         quantities: dict[str, Quantity] | None = None,
     ) -> None:
+        if not isinstance(path, str | Path):
+            raise InputError(f"output = {path!r}: must be the name of a file")
         self.path = Path(path)
         places = enumerate((quantities or {}).items())
         self._attributes = {name: attributes_of(quantity, place) for place, (name, quantity) in places}
@@ -145,7 +147,7 @@ def _check_target(path: Path, overwrite: bool) -> None:
     if not path.parent.is_dir():
         raise InputError(f"{path}: there is no folder {path.parent}; make it first")
     if path.exists() and not overwrite:
-        raise InputError(f"{path}: exists already; choose another name or allow it to be overwritten (--overwrite)")
+        raise InputError(f"{path}: exists already; choose another name, or give overwrite=True to replace it")
 
 
 def _as_json(values: dict) -> str:

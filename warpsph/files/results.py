@@ -11,10 +11,11 @@ import numpy as np
 from warpsph.core.quantity import Quantity
 from warpsph.errors import InputError
 from warpsph.files.described import place_of, read_quantity
+from warpsph.files.tables import Diagnosed
 from warpsph.files.vtkhdf import read_step, read_times
 
 
-class ResultFile:
+class ResultFile(Diagnosed):
     """A result file, whole or cut short by a killed run.
 
     Attributes:

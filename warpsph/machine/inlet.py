@@ -10,6 +10,7 @@ from warpsph.core.field import Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
+from warpsph.errors import number, numbers, require
 from warpsph.kernels.machine.inlet import InletConstants, lead, pour
 from warpsph.machine.exchange import ExchangePart
 from warpsph.machine.level import LevelGauge
@@ -37,6 +38,15 @@ class Inlet(ExchangePart):
     length: float
     temperature: float
     material: str | None = None
+
+    def __post_init__(self) -> None:
+        require(self, "gauge", isinstance(self.gauge, LevelGauge), "a LevelGauge")
+        row = isinstance(self.row, np.ndarray) and self.row.ndim == 2 and self.row.shape[1] == 3 and len(self.row) > 0
+        require(self, "row", row and bool(np.all(np.isfinite(self.row))), "places (k, 3), one or more [m]")
+        length = float(np.linalg.norm(numbers(self.direction, 3)))
+        require(self, "direction", abs(length - 1.0) < 1e-6, "a unit vector of three numbers")
+        require(self, "length", 0.0 <= number(self.length) < np.inf, "zero or positive [m]")
+        require(self, "temperature", 0.0 < number(self.temperature) < np.inf, "positive [K]")
 
     travel = Value(float, "m", "way of the last row from the start of the nozzle")
     missing = Value(int, "", "particles that the reservoir could not give")

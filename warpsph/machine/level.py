@@ -12,7 +12,7 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import number, numbers, require
 from warpsph.kernels.machine.gauge import PARTS, GaugeConstants, control, weigh
 from warpsph.terms.fluid import Fluid
 
@@ -45,9 +45,16 @@ class LevelGauge(Term):
     response: float = 0.1
 
     def __post_init__(self) -> None:
-        require(self, "high", bool(np.all(np.asarray(self.low) < np.asarray(self.high))), "above low on each axis")
+        require(
+            self,
+            "high",
+            bool(np.all(np.less(numbers(self.low, 3), numbers(self.high, 3)))),
+            "above low on each of three axes",
+        )
         for name in ("target_level", "area_ratio", "response"):
-            require(self, name, 0.0 < getattr(self, name) < np.inf, "positive")
+            require(self, name, 0.0 < number(getattr(self, name)) < np.inf, "positive")
+        for name in ("casting_speed", "gain"):
+            require(self, name, bool(np.isfinite(number(getattr(self, name)))), "a number")
 
     needs = ("fluid", "conduction")
 

@@ -11,6 +11,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import number, require
 from warpsph.kernels.machine.mould import oscillate
 
 
@@ -25,6 +26,10 @@ class OscillatingMould(Term):
 
     stroke: float
     frequency: float
+
+    def __post_init__(self) -> None:
+        require(self, "stroke", bool(np.isfinite(number(self.stroke))), "a length [m]")
+        require(self, "frequency", 0.0 <= number(self.frequency) < np.inf, "zero or positive [Hz]")
 
     provides = ("an oscillating mould",)
 

@@ -2,9 +2,12 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
+from warpsph.errors import number, require
 from warpsph.kernels.machine.outflow import hold_zone, pass_on
 from warpsph.machine.exchange import ExchangePart
 from warpsph.machine.level import LevelGauge
@@ -25,6 +28,12 @@ class Outflow(ExchangePart):
     begin: float
     end: float
     width: float
+
+    def __post_init__(self) -> None:
+        require(self, "gauge", isinstance(self.gauge, LevelGauge), "a LevelGauge")
+        require(self, "begin", bool(np.isfinite(number(self.begin))), "a height [m]")
+        require(self, "end", number(self.end) <= self.begin, "a height [m] that is not above begin")
+        require(self, "width", 0.0 < number(self.width) < np.inf, "positive [m]")
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return super().constants(model, state) | {

@@ -2,10 +2,13 @@
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import number, require
 from warpsph.kernels.machine.settling import slow_down
 
 
@@ -20,6 +23,10 @@ class Settling(Term):
 
     rate: float
     until: float
+
+    def __post_init__(self) -> None:
+        require(self, "rate", 0.0 <= number(self.rate) < np.inf, "zero or positive [1/s]")
+        require(self, "until", bool(np.isfinite(number(self.until))), "a time [s]")
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"rate": self.rate, "until": self.until}

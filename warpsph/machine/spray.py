@@ -10,6 +10,7 @@ from warpsph.core.field import Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
+from warpsph.errors import number, require
 from warpsph.kernels.machine.rolls import RollConstants
 from warpsph.kernels.machine.spray import SprayZones, WaterConstants, boil, emit, ride
 from warpsph.machine.exchange import ExchangePart
@@ -32,6 +33,12 @@ class SprayZone:
     high: float
     rate: float
     off: float = 1.0e9
+
+    def __post_init__(self) -> None:
+        require(self, "low", bool(np.isfinite(number(self.low))), "a height [m]")
+        require(self, "high", self.low <= number(self.high) < np.inf, "a height [m] that is not below low")
+        require(self, "rate", 0.0 <= number(self.rate) < np.inf, "zero or positive [1/s]")
+        require(self, "off", not np.isnan(number(self.off)), "a time [s]")
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +77,15 @@ class Spray(ExchangePart):
     end: float = -np.inf
     rolls: Rolls | None = None
     breadth: float = 0.0
+
+    def __post_init__(self) -> None:
+        zones = isinstance(self.zones, Sequence) and all(isinstance(zone, SprayZone) for zone in self.zones)
+        require(self, "zones", zones, "a list of SprayZone")
+        for name in ("nozzle", "lost"):
+            require(self, name, bool(np.isfinite(number(getattr(self, name)))), "a number [m]")
+        for name, unit in (("speed", "m/s"), ("near", "m"), ("temperature", "K"), ("boiled", "K")):
+            require(self, name, 0.0 < number(getattr(self, name)) < np.inf, f"positive [{unit}]")
+        require(self, "breadth", 0.0 <= number(self.breadth) < np.inf, "zero or positive [m]")
 
     due = Value(float, "", "fraction of the next particle of each zone", start=lambda spray: [0.0] * len(spray.zones))
     sprayed = Value(int, "", "particles sprayed in each zone", start=lambda spray: [0] * len(spray.zones))

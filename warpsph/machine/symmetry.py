@@ -12,7 +12,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import number, numbers, require
 from warpsph.kernels.machine.symmetry import reflect
 
 
@@ -31,8 +31,9 @@ class SymmetryPlane(Term):
     offset: float
 
     def __post_init__(self) -> None:
-        require(self, "normal", abs(float(np.linalg.norm(self.normal)) - 1.0) < 1e-6, "a unit vector")
-        require(self, "offset", bool(np.isfinite(self.offset)), "a number [m]")
+        length = float(np.linalg.norm(numbers(self.normal, 3)))
+        require(self, "normal", abs(length - 1.0) < 1e-6, "a unit vector of three numbers")
+        require(self, "offset", bool(np.isfinite(number(self.offset))), "a number [m]")
 
     def add_dummies(self, particles: Particles, points: np.ndarray, material: str) -> None:
         """Add fixed dummies at ``points`` (n, 3) [m] behind the plane; they slip and conduct no heat."""

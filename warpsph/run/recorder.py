@@ -8,6 +8,7 @@ import numpy as np
 from warpsph.core.labels import Role
 from warpsph.core.quantity import Quantity
 from warpsph.core.state import Snapshot, State
+from warpsph.errors import InputError, shown
 from warpsph.files.output import TIME, ResultWriter
 from warpsph.run.diagnostics import common_diagnostics
 from warpsph.run.events import Events
@@ -59,8 +60,8 @@ class Recorder:
             self.writer.write_frame(time, snapshot["position"][present], fields)
         measured = common_diagnostics(snapshot)
         if self.observe is not None:
-            measured |= self.observe(snapshot, time)
-        values: Numbers = {name: np.array(value_of(given), float)[()] for name, given in measured.items()}
+            measured |= _observed(self.observe(snapshot, time))
+        values: Numbers = {name: _numeric(name, value_of(given)) for name, given in measured.items()}
         self._refuse_misfits(values)
         for name, given in measured.items():
             self.quantities.setdefault(name, quantity_of(name, given, self.dimension))
@@ -88,10 +89,10 @@ class Recorder:
         """A diagnostic has a name that a file can have, and the same shape at all times."""
         for name, value in values.items():
             if name == "time" or not name or "/" in name:
-                raise ValueError(f"an observer cannot call a diagnostic '{name}'; choose another name")
+                raise InputError(f"an observer cannot call a diagnostic '{name}'; choose another name")
             if name in self.series and np.shape(self.series[name][0]) != np.shape(value):
                 before = np.shape(self.series[name][0])
-                raise ValueError(f"diagnostic '{name}' had the shape {before} and has {np.shape(value)} now")
+                raise InputError(f"diagnostic '{name}' had the shape {before} and has {np.shape(value)} now")
 
     def _append(self, time: float, values: Numbers) -> None:
         """One row more; what was not measured this time, or not before, is not a number."""
@@ -102,3 +103,17 @@ class Recorder:
             if name != "time" and name not in values:
                 series.append(np.full(np.shape(series[-1]), np.nan))
         self.series["time"].append(time)
+
+
+def _observed(given: Any) -> Values:
+    if not isinstance(given, dict):
+        raise InputError(f"observe gave {shown(given)}; it must give values by name, such as {{'level': 0.1}}")
+    return given
+
+
+def _numeric(name: str, value: Any) -> float | np.ndarray:
+    """A copy of a measured value, in double precision."""
+    try:
+        return np.array(value, float)[()]
+    except (TypeError, ValueError):
+        raise InputError(f"diagnostic '{name}' is no number: {shown(value)}") from None

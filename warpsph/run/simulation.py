@@ -3,6 +3,7 @@
 import time as wall_clock
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from warpsph.core.registry import Registry, Remembers
 from warpsph.core.solver import Solver
 from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
-from warpsph.errors import DivergenceError, InputError
+from warpsph.errors import DivergenceError, InputError, number, numbers, shown
 from warpsph.files.output import ResultWriter
 from warpsph.files.provenance import provenance
 from warpsph.run.divergence import refuse_divergence
@@ -72,21 +73,26 @@ class Simulation:
         observe: Observe | None = None,
         describe: Describe | None = None,
     ):
+        _refuse_other_kinds(executor=(executor, Executor), model=(model, Model), particles=(particles, Particles))
+        _refuse_other_kinds(parts=(parts, Sequence))
+        _refuse_no_functions(observe=observe, describe=describe)
         self.executor = executor
         self.model = model = compose(model, tuple(parts))
         if len(particles) == 0:
             raise InputError("particles: there is none; add some before the simulation is built")
-        free = {block.material for block in particles.blocks if np.any(block.role == Role.FREE)}
+        free = set(particles.material[particles.role == Role.FREE])
         moving = tuple(sorted(model.index_of(material) for material in free))
         self.plan = plan_steps(model, moving, dt, step_factor)
         margin = 4.0 * model.support
-        lower = particles.position.min(axis=0) - margin if lower is None else np.asarray(lower, float)
-        upper = particles.position.max(axis=0) + margin if upper is None else np.asarray(upper, float)
+        lower = particles.position.min(axis=0) - margin if lower is None else np.array(numbers(lower, 3))
+        upper = particles.position.max(axis=0) + margin if upper is None else np.array(numbers(upper, 3))
         if not np.all(np.isfinite([lower, upper])) or np.any(lower > upper):
             raise InputError(f"lower, upper = {lower}, {upper}: must be two corners of a box [m], the lower one first")
         self.state = state = initial_state(model, particles, executor.device)
         if speed_limit is None:
             speed_limit = min(FASTEST, *(term.speed_limit(model) for term in model.terms))
+        if not number(speed_limit) > 0.0:
+            raise InputError(f"speed_limit = {speed_limit!r}: must be positive [m/s]")
         self.solver = Solver(executor, model, state, lower, upper, speed_limit)
         self.events = Events()
         self.recorder = Recorder(state, model.dimension, self.events, observe, describe)
@@ -124,7 +130,7 @@ class Simulation:
         duration: float,
         output_interval: float,
         *,
-        output: Path | None = None,
+        output: str | Path | None = None,
         overwrite: bool = False,
         progress: Report | None = None,
         parameters: dict | None = None,
@@ -148,8 +154,10 @@ class Simulation:
             DivergenceError: the simulation diverged; the frames before are kept.
         """
         for name, value in (("duration", duration), ("output_interval", output_interval)):
-            if not 0.0 < value < np.inf:
-                raise InputError(f"{name} = {value}: must be positive and finite [s]")
+            if not 0.0 < number(value) < np.inf:
+                raise InputError(f"{name} = {value!r}: must be positive and finite [s]")
+        _refuse_no_functions(progress=progress)
+        _refuse_other_kinds(parameters=({} if parameters is None else parameters, dict))
         writer = self._open(output, overwrite, parameters or {})
         started = wall_clock.perf_counter()
         recorder = self.recorder
@@ -183,7 +191,7 @@ class Simulation:
                 writer.close()
         return self._result(status, wall_time)
 
-    def _open(self, output: Path | None, overwrite: bool, parameters: dict) -> ResultWriter | None:
+    def _open(self, output: str | Path | None, overwrite: bool, parameters: dict) -> ResultWriter | None:
         if output is None:
             return None
         facts = provenance(self.executor.device_name, self.executor.threads) | {
@@ -236,3 +244,15 @@ class Simulation:
             materials=tuple(material.name for material in self.model.materials),
             summary=summary,
         )
+
+
+def _refuse_other_kinds(**given: tuple[Any, type]) -> None:
+    for name, (value, kind) in given.items():
+        if not isinstance(value, kind):
+            raise InputError(f"{name} = {shown(value)}: must be of the kind {kind.__name__}")
+
+
+def _refuse_no_functions(**given: Any) -> None:
+    for name, value in given.items():
+        if value is not None and not callable(value):
+            raise InputError(f"{name} = {shown(value)}: must be a function, or None")

@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsph.core.model import Model
 from warpsph.core.term import Term
-from warpsph.errors import InputError
+from warpsph.errors import InputError, number
 
 Limits = dict[str, float]
 
@@ -46,8 +46,8 @@ def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_fac
     for term in terms:
         _add(steps, term.longest_steps(model, moving), term)
         _add(intervals, term.longest_intervals(model), term)
-    if not 0.0 < step_factor < np.inf:
-        raise InputError(f"step_factor = {step_factor}: must be positive")
+    if not 0.0 < number(step_factor) < np.inf:
+        raise InputError(f"step_factor = {step_factor!r}: must be positive")
     steps = {reason: step_factor * limit for reason, limit in steps.items()}
     heat_every = 1
     if intervals and not steps:
@@ -81,8 +81,8 @@ def _choose(dt: float | None, limits: Limits) -> float:
     longest = min(limits.values(), default=np.inf)
     if dt is None:
         return longest
-    if not 0.0 < dt < np.inf:
-        raise InputError(f"dt = {dt}: must be positive [s]")
+    if not 0.0 < number(dt) < np.inf:
+        raise InputError(f"dt = {dt!r}: must be positive [s]")
     if dt > longest * (1.0 + 1e-9):
         raise InputError(f"time step {dt:.3g} s is too long; limits: {listed(limits)}")
     return dt

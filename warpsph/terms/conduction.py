@@ -13,7 +13,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import DivergenceError, InputError, require
+from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
 
@@ -33,11 +33,12 @@ class Conduction(Term):
     longest_interval: float = 1.0e-3
 
     def __post_init__(self) -> None:
-        require(self, "longest_interval", self.longest_interval > 0.0, "positive [s]")
+        require(self, "longest_interval", number(self.longest_interval) > 0.0, "positive [s]")
+        allowed = "conductivities [W/(m K)] by pair of names of materials, as in {('steel', 'copper'): 30.0}"
+        require(self, "contact", isinstance(self.contact, dict), allowed)
         for pair, conductivity in self.contact.items():
-            require(
-                self, "contact", len(pair) == 2 and 0.0 <= conductivity < np.inf, "conductivities by pair of materials"
-            )
+            named = isinstance(pair, tuple) and len(pair) == 2 and all(isinstance(name, str) for name in pair)
+            require(self, "contact", named and 0.0 <= number(conductivity) < np.inf, allowed)
 
     provides = ("conduction",)
 

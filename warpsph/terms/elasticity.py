@@ -14,7 +14,7 @@ from warpsph.core.neighbours import refuse_overflow
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.neighbours.cells import clear
 from warpsph.kernels.neighbours.lists import clear_flag
@@ -32,6 +32,7 @@ from warpsph.kernels.solid.elasticity import (
     add_elastic_forces,
     find_stress,
     invert_moments,
+    keep_strain,
     settle_volume,
 )
 from warpsph.kernels.solid.prestress import keep_pressure
@@ -64,11 +65,18 @@ class Elasticity(Term):
     support_ratio: float | None = None
 
     def __post_init__(self) -> None:
-        require(self, "youngs_modulus", 0.0 < self.youngs_modulus < np.inf, "positive [Pa]")
-        require(self, "poisson_ratio", -1.0 < self.poisson_ratio < 0.5, "between -1 and 0.5 (an incompressible solid)")
+        require(self, "youngs_modulus", 0.0 < number(self.youngs_modulus) < np.inf, "positive [Pa]")
+        require(
+            self,
+            "poisson_ratio",
+            -1.0 < number(self.poisson_ratio) < 0.5,
+            "between -1 and 0.5 (an incompressible solid)",
+        )
         ratio = self.support_ratio
-        require(self, "support_ratio", ratio is None or 1.2 <= ratio <= 10.0, "None, or from 1.2 to 10 spacings")
-        require(self, "hourglass", 0.0 <= self.hourglass < np.inf, "zero or positive")
+        require(
+            self, "support_ratio", ratio is None or 1.2 <= number(ratio) <= 10.0, "None, or from 1.2 to 10 spacings"
+        )
+        require(self, "hourglass", 0.0 <= number(self.hourglass) < np.inf, "zero or positive")
 
     provides = ("elasticity",)
     needs = ("forces",)
@@ -78,7 +86,9 @@ class Elasticity(Term):
     body = Field(int, "", "to which body it belongs")
     body_volume = Field(float, "m^3", "volume when it turned solid (area in 2D)")
     correction = Field(wp.mat33, "", "inverse moment matrix of the bonds")
-    deformation = Field(wp.mat33, "", "deformation gradient")
+    settled = Field(wp.mat33, "", "from the shape without stress to the one that the bonds count from")
+    rebonded = Field(int, "", "whether bonds have come or gone just now", kept=False)
+    deformation = Field(wp.mat33, "", "deformation gradient since the bonds were made")
     stress = Field(wp.mat33, "Pa", "first Piola-Kirchhoff stress, times the correction")
     bond_events = Value(int, "", "how often bonds have been made and cut")
     longest_bond_row = Value(int, "", "not zero when a row of bonds was too short")
@@ -147,6 +157,7 @@ class Elasticity(Term):
         refuse_overflow(self.longest_bond_row, state.bonds.capacity, state)
 
     def _renew_bonds(self, launch: Launch) -> None:
+        launch(find_stress)
         if "density" in launch:
             launch(settle_volume)
         launch(join_body)
@@ -157,6 +168,7 @@ class Elasticity(Term):
     def _bond_solids(self, launch: Launch) -> None:
         launch(update_bonds)
         launch(invert_moments)
+        launch(keep_strain)
         launch(mark_bonded_neighbours)
         launch.whole(clear_flag, flag=launch.find("phase_changed"), counter=self.bond_events)
 

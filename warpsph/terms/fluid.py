@@ -12,7 +12,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import InputError, require
+from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.fluid import FluidConstants
@@ -43,8 +43,8 @@ class Fluid(Term):
     tension: bool = False
 
     def __post_init__(self) -> None:
-        require(self, "reference_density", 0.0 < self.reference_density < np.inf, "positive [kg/m^3]")
-        require(self, "sound_speed", 0.0 < self.sound_speed < np.inf, "positive [m/s]")
+        require(self, "reference_density", 0.0 < number(self.reference_density) < np.inf, "positive [kg/m^3]")
+        require(self, "sound_speed", 0.0 < number(self.sound_speed) < np.inf, "positive [m/s]")
 
     provides = ("fluid",)
     needs = ("forces", "density")
@@ -62,6 +62,8 @@ class Fluid(Term):
         return _reference_density(model) * model.cell_volume / model.lattice.density()
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        if np.any(fields["density"] <= 0.0):
+            raise InputError("particles: 'density' was given values that are not positive [kg/m^3]")
         cells = np.where(particles.volume > 0.0, particles.volume / model.cell_volume, 1.0)
         fluid_mass = np.where(particles.flows, self.particle_mass(model) * cells, 0.0)
         moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows

@@ -11,7 +11,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import number, require
 from warpsph.kernels.heat.phase import switch_phase
 
 
@@ -28,8 +28,9 @@ class PhaseChange(Term):
     melt_below: float = 0.45
 
     def __post_init__(self) -> None:
-        require(self, "freeze_above", 0.0 <= self.freeze_above < 1.0, "from 0 to less than 1")
-        require(self, "melt_below", 0.0 < self.melt_below <= self.freeze_above, "positive and not above freeze_above")
+        require(self, "freeze_above", 0.0 <= number(self.freeze_above) < 1.0, "from 0 to less than 1")
+        in_order = 0.0 < number(self.melt_below) <= self.freeze_above
+        require(self, "melt_below", in_order, "positive and not above freeze_above")
 
     provides = ("a change of phase",)
     needs = ("conduction",)

@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsph.core.model import Model
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import number, require
 from warpsph.terms.fluid import Fluid
 
 
@@ -23,8 +23,8 @@ class Tension(Term):
     threshold: float = 0.15
 
     def __post_init__(self) -> None:
-        require(self, "coefficient", 0.0 < self.coefficient < np.inf, "positive [N/m]")
-        require(self, "threshold", 0.0 <= self.threshold < np.inf, "zero or positive")
+        require(self, "coefficient", 0.0 < number(self.coefficient) < np.inf, "positive [N/m]")
+        require(self, "threshold", 0.0 <= number(self.threshold) < np.inf, "zero or positive")
 
     needs = ("fluid", "a density by continuity")
 

@@ -8,7 +8,7 @@ from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
@@ -30,7 +30,8 @@ class DyedWater(Scenario):
     diffusivity: float = parameter(2.0e-3, "m^2/s", "diffusivity of the dye", gt=0, le=1.0)
 
     def build(self, executor: Executor) -> Simulation:
-        model = Model(2, self.spacing, (inert("water", 1000.0),), (Dye(self.diffusivity),), gravity=(0.0, 0.0, 0.0))
+        water = fluid_material("water", 1000.0)
+        model = Model(2, self.spacing, (water,), (Dye(self.diffusivity),), gravity=(0.0, 0.0, 0.0))
         x = lattice((-0.5, 0.0), (0.5, 0.2), self.spacing)
         particles = Particles()
         particles.add(x, Role.FREE, dye=np.where(x[:, 0] < 0.0, 1.0, 0.0))

@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
@@ -17,7 +17,7 @@ def test_expansion(dimension, device):
     """Otherwise the density would not follow the volume, or a free surface would lower it."""
     rate, dt, cells = 3.0, 1e-3, 21 if dimension == 2 else 13
     terms = (Fluid(1000.0, 1.0), ContinuityDensity())
-    model = Model(dimension, 0.01, (inert("liquid", 1000.0),), terms, gravity=(0.0, 0.0, 0.0))
+    model = Model(dimension, 0.01, (fluid_material("liquid", 1000.0),), terms, gravity=(0.0, 0.0, 0.0))
     x = lattice((-0.005 * cells,) * dimension, (0.005 * cells,) * dimension, 0.01)
     particles = Particles()
     particles.add(x, Role.FREE, velocity=rate * x)

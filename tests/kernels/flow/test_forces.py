@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.run.simulation import Simulation
@@ -26,7 +26,7 @@ def block(device: str, dimension: int, jitter: float = 0.0, viscosity: float = 3
     model = Model(
         dimension,
         SPACING,
-        (inert("fluid", DENSITY, viscosity),),
+        (fluid_material("fluid", DENSITY, viscosity),),
         (Fluid(DENSITY, 10.0, tension=True), SummedDensity()),
         gravity=(0.0, 0.0, 0.0),
     )

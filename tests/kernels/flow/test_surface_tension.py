@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.launch import Launch
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.state import State
 from warpsph.core.term import Term
@@ -39,7 +39,7 @@ def launch_of(
 ) -> Launch:
     """Launches kernels of a term over liquid particles, free unless said otherwise, at rest at ``x`` (n, 3) [m]."""
     executor, n = Executor(device, 1), len(x)
-    model = Model(dimension, SPACING, (inert("liquid", DENSITY),), (Fluid(DENSITY, 10.0), term), support_ratio)
+    model = Model(dimension, SPACING, (fluid_material("liquid", DENSITY),), (Fluid(DENSITY, 10.0), term), support_ratio)
     roles = np.full(n, Role.FREE) if role is None else role
     phases = np.full(n, Phase.LIQUID) if phase is None else phase
     arrays = {

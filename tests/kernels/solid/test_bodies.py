@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert, thesis_steel
+from warpsph.core.materials import fluid_material, solid_material, thesis_steel
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.errors import InputError
@@ -34,7 +34,8 @@ def shape(name: str, dimension: int) -> np.ndarray:
 def body(device: str, x: np.ndarray, dimension: int, support: float, **fields) -> Simulation:
     particles = Particles()
     particles.add(x, Role.FREE, phase=Phase.SOLID, **fields)
-    model = Model(dimension, DX, (inert("rubber", RHO),), (Elasticity(E, 0.3),), support, gravity=(0.0, 0.0, 0.0))
+    rubber = solid_material("rubber", RHO)
+    model = Model(dimension, DX, (rubber,), (Elasticity(E, 0.3),), support, gravity=(0.0, 0.0, 0.0))
     return Simulation(Executor(device), model, particles, **BOX)
 
 
@@ -99,7 +100,7 @@ def two_squares(gap: float, contact: bool = True) -> Simulation:
         x = square + np.array([shift * DX, 0.0, 0.0])
         particles.add(x, Role.FREE, phase=Phase.SOLID, body=number, velocity=(0.5 * side, 0.0, 0.0))
     terms = (Elasticity(E, 0.3), Contact()) if contact else (Elasticity(E, 0.3),)
-    model = Model(2, DX, (inert("rubber", RHO),), terms, gravity=(0.0, 0.0, 0.0))
+    model = Model(2, DX, (solid_material("rubber", RHO),), terms, gravity=(0.0, 0.0, 0.0))
     return Simulation(Executor("cpu", 1), model, particles, **BOX)
 
 
@@ -147,7 +148,8 @@ def beam(density: float) -> tuple[np.ndarray, np.ndarray]:
     particles.add(x[~solid], Role.FREE, "water")
     particles.add(x[solid], Role.FREE, "plate", phase=Phase.SOLID)
     terms = (Fluid(RHO, 20.0), SummedDensity(), Elasticity(E, 0.3))
-    model = Model(2, DX, (inert("water", RHO, 1.0), inert("plate", density)), terms, gravity=(0.0, 0.0, 0.0))
+    materials = (fluid_material("water", RHO, 1.0), solid_material("plate", density))
+    model = Model(2, DX, materials, terms, gravity=(0.0, 0.0, 0.0))
     simulation = Simulation(Executor("cpu", 1), model, particles)
     simulation.prepare()
     state = simulation.snapshot()
@@ -171,8 +173,8 @@ def test_a_fluid_of_another_density_is_refused(melts):
     particles = Particles()
     particles.add(np.zeros((1, 3)), Role.FREE, phase=Phase.SOLID if melts else Phase.LIQUID)
     terms = (Fluid(RHO, 20.0), SummedDensity(), *((Conduction(), PhaseChange()) if melts else ()))
-    with pytest.raises(InputError, match=r"inert of 1100 kg/m.3 flows or can melt.*one density of fluids, 1000"):
-        Simulation(Executor("cpu", 1), Model(2, DX, (inert("inert", 1100.0),), terms), particles)
+    with pytest.raises(InputError, match=r"oil of 1100 kg/m.3 flows or can melt.*one density of fluids, 1000"):
+        Simulation(Executor("cpu", 1), Model(2, DX, (fluid_material("oil", 1100.0),), terms), particles)
 
 
 def test_bonds_have_a_support_of_their_own():
@@ -181,7 +183,7 @@ def test_bonds_have_a_support_of_their_own():
     x = lattice((0.0, 0.0), (10 * DX, 10 * DX), DX)
     particles.add(x, Role.FREE, phase=Phase.SOLID)
     terms = (Fluid(RHO, 20.0), SummedDensity(), Elasticity(E, 0.3, support_ratio=1.5))
-    simulation = Simulation(Executor("cpu", 1), Model(2, DX, (inert("rubber", RHO),), terms, 2.6), particles)
+    simulation = Simulation(Executor("cpu", 1), Model(2, DX, (solid_material("rubber", RHO),), terms, 2.6), particles)
     simulation.prepare()
     inside = np.abs(simulation.state.numpy("position")[:, :2] - 5 * DX).max(axis=1) < 2 * DX
     assert np.all(simulation.state.bonds.count.numpy()[inside] == 8)

@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
@@ -22,7 +22,7 @@ def two_blocks(device: str, bodies: tuple[int, int] = (0, 1)) -> Simulation:
     for body, left in zip(bodies, (0.0, 1.0), strict=True):
         block = lattice((left, 0.0), (left + 4 * DX, 4 * DX), DX)
         particles.add(block, Role.FREE, phase=Phase.SOLID, body=body)
-    model = Model(2, DX, (inert("rubber", 1000.0),), (Elasticity(E, 0.3), Contact()), support_ratio=1.7)
+    model = Model(2, DX, (solid_material("rubber", 1000.0),), (Elasticity(E, 0.3), Contact()), support_ratio=1.7)
     simulation = Simulation(Executor(device), model, particles)
     simulation.prepare()
     return simulation

@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.term import Term
@@ -24,7 +24,7 @@ def disc(dimension: int, radius: float = 0.055) -> np.ndarray:
 
 
 def freezing() -> tuple[Term, ...]:
-    """A fluid that turns solid at once, because an inert material is solid at any temperature."""
+    """A fluid that turns solid at once, because such a material is solid at any temperature."""
     return Fluid(1000.0, 50.0), SummedDensity(), Conduction(), PhaseChange()
 
 
@@ -39,7 +39,7 @@ class Body:
         model = Model(
             dimension,
             SPACING,
-            (inert("rubber", 1000.0),),
+            (solid_material("rubber", 1000.0),),
             (*freezing(), Elasticity(E, 0.3, corrected, hourglass)),
             gravity=(0.0, 0.0, 0.0),
         )
@@ -180,7 +180,7 @@ def test_a_body_that_starts_solid_needs_no_melt(device):
     """A body must fall as one piece, with the volume of its particles, where there is neither fluid nor heat."""
     particles = Particles()
     particles.add(disc(2), Role.FREE, phase=Phase.SOLID)
-    model = Model(2, SPACING, (inert("rubber", 1000.0),), (Elasticity(E, 0.3),))
+    model = Model(2, SPACING, (solid_material("rubber", 1000.0),), (Elasticity(E, 0.3),))
     simulation = Simulation(Executor(device), model, particles)
     start = simulation.snapshot()["position"]
     result = simulation.run(0.05, 0.05)
@@ -195,7 +195,7 @@ def test_a_solid_start_with_phase_change_is_bonded_once(device):
     particles = Particles()
     particles.add(disc(2), Role.FREE, phase=Phase.SOLID)
     elasticity = Elasticity(E, 0.3)
-    model = Model(2, SPACING, (inert("rubber", 1000.0),), (*freezing(), elasticity))
+    model = Model(2, SPACING, (solid_material("rubber", 1000.0),), (*freezing(), elasticity))
     simulation = Simulation(Executor(device), model, particles)
     simulation.prepare()
     assert simulation.state.bonds.count.numpy().min() > 4

@@ -7,7 +7,7 @@ from warpsph.core.composition import compose
 from warpsph.core.dynamics import Dynamics
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import COPPER, inert
+from warpsph.core.materials import COPPER, fluid_material
 from warpsph.core.model import Model
 from warpsph.core.motion import Motion
 from warpsph.core.particles import Particles
@@ -60,7 +60,7 @@ def test_contradictions_are_refused_when_the_simulation_is_built(terms, why):
     """If it failed, a case without what it needs would end in a traceback, or run and mean nothing."""
     particles = Particles()
     particles.add(np.zeros((1, 3)), Role.FREE)
-    model = Model(2, 0.1, (inert("water", 1000.0),), terms)
+    model = Model(2, 0.1, (fluid_material("water", 1000.0),), terms)
     with pytest.raises(InputError, match=why) as caught:
         Simulation(Executor("cpu", 1), model, particles)
     assert "\n" not in str(caught.value)
@@ -99,7 +99,7 @@ def test_a_part_belongs_to_one_simulation():
     gauge = LevelGauge((0.0, 0.0, -1.0), (1.0, 1.0, 1.0), 0.1, 0.01, area_ratio=1.0)
     particles = Particles()
     particles.add(np.zeros((1, 3)), Role.FREE)
-    model = Model(2, 0.1, (inert("water", 1000.0),), (FLUID, SummedDensity(), Conduction()))
+    model = Model(2, 0.1, (fluid_material("water", 1000.0),), (FLUID, SummedDensity(), Conduction()))
     Simulation(Executor("cpu", 1), model, particles, parts=[gauge])
     with pytest.raises(InputError, match="LevelGauge belongs to another simulation"):
         Simulation(Executor("cpu", 1), model, particles, parts=[gauge])

@@ -8,7 +8,7 @@ import warp as wp
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.errors import InputError
@@ -21,7 +21,7 @@ def collapsing_column(executor: Executor) -> Simulation:
     particles = Particles()
     particles.add(lattice((0.0, 0.0), (0.2, 0.4), dx), Role.FREE)
     particles.add(tank((0.0, 0.0), (0.6, 0.5), dx), Role.DUMMY)
-    model = Model(2, dx, (inert("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
+    model = Model(2, dx, (fluid_material("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
     return Simulation(executor, model, particles)
 
 

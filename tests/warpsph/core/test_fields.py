@@ -9,7 +9,7 @@ import warp as wp
 from warpsph.core.executor import Executor
 from warpsph.core.field import Field
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import COPPER, inert, thesis_steel
+from warpsph.core.materials import COPPER, fluid_material, thesis_steel
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import State
@@ -34,7 +34,7 @@ class Marks(Term):
 def block(device: str = "cpu", *terms: Term, **fields) -> Simulation:
     particles = Particles()
     particles.add(lattice((0.0, 0.0), (8 * DX, 8 * DX), DX), Role.FREE, **fields)
-    model = Model(2, DX, (inert("water", 1000.0),), terms, gravity=(0.0, 0.0, 0.0))
+    model = Model(2, DX, (fluid_material("water", 1000.0),), terms, gravity=(0.0, 0.0, 0.0))
     return Simulation(Executor(device), model, particles, dt=1e-4)
 
 

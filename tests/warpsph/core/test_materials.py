@@ -5,7 +5,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from warpsph.core.materials import COPPER, WATER, Material, conductor, thesis_steel
+from warpsph.core.materials import (
+    COPPER,
+    WATER,
+    Material,
+    fluid_material,
+    melting_material,
+    solid_material,
+    thesis_steel,
+)
 from warpsph.errors import InputError
 
 
@@ -57,9 +65,48 @@ def test_curve_values_are_linear_beyond_the_nodes():
 
 
 @given(st.floats(10.0, 2500.0))
-def test_a_conductor_is_its_few_numbers(temperature):
-    """A plain plate must not need an invented melting range, nor ever melt or freeze by it."""
-    plate = conductor("plate", density=2000.0, heat_capacity=500.0, conductivity=40.0)
-    assert plate.enthalpy(temperature) == pytest.approx(500.0 * temperature)
-    assert plate.conductivity_solid == plate.conductivity_liquid == 40.0
-    assert plate.solid_fraction(temperature) == 0.0
+def test_a_plain_fluid_and_a_plain_solid_are_their_few_numbers(temperature):
+    """A plate must not need an invented melting range, nor melt by it; nor may a plain fluid ever freeze."""
+    heat = {"heat_capacity": 500.0, "conductivity": 40.0}
+    for make, solid in ((fluid_material, 0.0), (solid_material, 1.0)):
+        plain = make("plain", 2000.0, 0.5, **heat)
+        assert (plain.density, plain.viscosity) == (2000.0, 0.5)
+        assert plain.enthalpy(temperature) == pytest.approx(500.0 * temperature)
+        assert plain.conductivity_solid == plain.conductivity_liquid == 40.0
+        assert plain.solid_fraction(temperature) == solid
+        assert make("plain", 2000.0).conductivity_solid == 0.0
+
+
+NAN, INFINITE = float("nan"), float("inf")
+
+
+@pytest.mark.parametrize("make", [fluid_material, solid_material])
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        *(({"density": value}, "oil: density") for value in (0.0, -1.0, NAN, INFINITE, "heavy", None)),
+        *(({"viscosity": value}, "oil: viscosity") for value in (-1.0, NAN, "thick")),
+        *(({"conductivity": value, "heat_capacity": 1.0}, "oil: conductivity") for value in (-1.0, NAN, [1.0])),
+        *(({"heat_capacity": value}, "oil: heat_capacity") for value in (0.0, -1.0, NAN, "hot")),
+        ({"conductivity": 1.0}, "oil: heat_capacity is missing"),
+        ({"name": 3}, "name = 3"),
+        ({"name": ""}, "name = ''"),
+    ],
+)
+def test_numbers_without_meaning_are_refused(make, change, words):
+    """If it failed, a material without mass, or one that is no number, would end as a run full of NaN."""
+    with pytest.raises(InputError, match=words) as caught:
+        make(**({"name": "oil", "density": 900.0} | change))
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("argument", ["heat_capacity", "latent_heat", "solidus", "liquidus"])
+@pytest.mark.parametrize("value", [-1.0, NAN, "much"])
+def test_a_melting_material_names_the_argument_that_is_wrong(argument, value):
+    """If it failed, one would be told of nodes of a curve that one has never given."""
+    steel = {
+        "density": 7000.0, "heat_capacity": 700.0, "latent_heat": 2.7e5, "solidus": 1700.0, "liquidus": 1750.0,
+        "conductivity_solid": 30.0, "conductivity_liquid": 30.0, "viscosity": 6e-3, "source": "none",
+    }  # fmt: skip
+    with pytest.raises(InputError, match=f"steel: {argument} = "):
+        melting_material("steel", **(steel | {argument: value}))

@@ -8,7 +8,7 @@ from warpsph.core.executor import Executor
 from warpsph.core.initial import initial_state
 from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.neighbours import Neighbours
 from warpsph.core.particles import Particles
@@ -43,7 +43,7 @@ def renewed(executor: Executor, x: np.ndarray, role: Role | np.ndarray = Role.FR
     particles = Particles()
     particles.add(x, role)
     dimension = 2 if np.all(x[:, 2] == 0.0) else 3
-    model = compose(Model(dimension, SPACING, (inert("fluid", 1000.0),)))
+    model = compose(Model(dimension, SPACING, (fluid_material("fluid", 1000.0),)))
     state = initial_state(model, particles, executor.device)
     launch = Launch(executor, state.count, state.arrays, state.values, state.lists, state.scratch)
     lower, upper = np.percentile(x, 5, axis=0), np.percentile(x, 95, axis=0)

@@ -11,7 +11,7 @@ from warpsph.core.executor import Executor
 from warpsph.core.field import Field, Value
 from warpsph.core.labels import Phase, Role
 from warpsph.core.launch import Launch
-from warpsph.core.materials import COPPER, inert
+from warpsph.core.materials import COPPER, fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.term import Term
@@ -20,7 +20,7 @@ from warpsph.run.simulation import Simulation
 from warpsph.terms import Conduction, Elasticity, Fluid, SummedDensity
 
 DX = 0.1
-WATER = (inert("water", 1000.0),)
+WATER = (fluid_material("water", 1000.0),)
 
 
 @wp.kernel
@@ -256,7 +256,7 @@ def test_observers_can_neither_change_what_is_written_nor_what_was_measured(tmp_
 
     particles = Particles()
     particles.add(lattice((0.0, 0.0), (0.6, 0.6), DX), Role.FREE)
-    model = Model(2, DX, (inert("water", 1000.0),))
+    model = Model(2, DX, (fluid_material("water", 1000.0),))
     simulation = Simulation(Executor("cpu", 1), model, particles, dt=0.1, observe=careless)
     result = simulation.run(0.2, 0.1, output=tmp_path / "run.vtkhdf")
     assert np.all(ResultFile(tmp_path / "run.vtkhdf").frame(-1)[0][:, 0] > 0.0)

@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.errors import InputError
@@ -21,7 +21,7 @@ def thrown(device: str, dimension: int, start, velocity) -> Simulation:
     particles = Particles()
     particles.add(np.array([start], float), Role.FREE, velocity=velocity, phase=Phase.SOLID)
     terms = (Fluid(2100.0, 10.0), SummedDensity(), Conduction(), Elasticity(4e5, 0.3))
-    model = Model(dimension, SPACING, (inert("steel", 2100.0),), terms, gravity=(0.0, 0.0, 0.0))
+    model = Model(dimension, SPACING, (solid_material("steel", 2100.0),), terms, gravity=(0.0, 0.0, 0.0))
     return Simulation(Executor(device), model, particles, parts=[Rolls(FACE, [0.1, HEIGHT], RADIUS)], dt=2e-5)
 
 

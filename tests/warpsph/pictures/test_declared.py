@@ -8,7 +8,7 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.core.field import Field
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.term import Term
@@ -38,7 +38,7 @@ def observe(state, time):
 @pytest.fixture(params=[2, 3])
 def dyed(request, tmp_path) -> ResultFile:
     """A few dyed particles at rest, in the plane and in space, after one frame."""
-    model = Model(request.param, 0.1, (inert("water", 1000.0),), (Dye(),), gravity=(0.0, 0.0, 0.0))
+    model = Model(request.param, 0.1, (fluid_material("water", 1000.0),), (Dye(),), gravity=(0.0, 0.0, 0.0))
     position = lattice((0.0,) * request.param, (0.3,) * request.param, 0.1)
     particles = Particles()
     particles.add(position, Role.FREE, dye=np.linspace(0.0, 1.0, len(position)))

@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import inert, melting_material
+from warpsph.core.materials import fluid_material, melting_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.errors import InputError
@@ -38,7 +38,7 @@ def pool() -> Simulation:
 def falling(**options) -> Simulation:
     particles = Particles()
     particles.add(lattice((0.0, 0.0), (0.1, 0.1), 0.02), Role.FREE)
-    model = Model(2, 0.02, (inert("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
+    model = Model(2, 0.02, (fluid_material("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
     return Simulation(Executor("cpu", 1), model, particles, **options)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.materials import inert
+from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.errors import DivergenceError, InputError
@@ -23,7 +23,7 @@ def falling_block(**options) -> Simulation:
     particles.add(lattice((0.0, 0.0), (0.2, 0.2), DX), Role.FREE)
     particles.add(tank((0.0, 0.0), (0.4, 0.3), DX), Role.DUMMY)
     particles.add(np.zeros((3, 3)), Role.RESERVOIR)
-    model = Model(2, DX, (inert("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
+    model = Model(2, DX, (fluid_material("water", 1000.0, viscosity=0.5),), (Fluid(1000.0, 30.0), SummedDensity()))
     return Simulation(Executor("cpu", 1), model, particles, **options)
 
 
