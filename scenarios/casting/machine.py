@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsph.core.hydrostatics import row_heights
 from warpsph.core.labels import Role
-from warpsph.core.materials import COPPER, WATER
+from warpsph.core.materials import WATER
 from warpsph.core.model import GRAVITY
 from warpsph.core.particles import Particles, lattice
 from warpsph.machine import Inlet, LevelGauge, Outflow, Spray, SprayZone, SymmetryPlane
@@ -18,7 +18,7 @@ from warpsph.scenarios.casting.parameters import (
     CastingParameters,
 )
 
-DUMMY = "dummy"
+MOULD, PLANE, NOZZLE, ROLLS = "mould", "symmetry plane", "nozzle", "rolls"  # materials, by which pictures name them
 MOULD_LAYERS = 4
 DUMMY_LAYERS = 3
 OUTFLOW_ROWS = 4
@@ -126,21 +126,21 @@ class CastingMachine:
         mould = self._fill(x, (case.mould_bottom, case.mould_top), x)
         mould = mould[self._outside(mould, 0.0)]
         outermost = self._outside(mould, (MOULD_LAYERS - 1) * dx)
-        particles.add(mould, Role.WALL, COPPER.name, temperature=COOLING_WATER, held=outermost)
-        particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, DUMMY)
+        particles.add(mould, Role.WALL, MOULD, temperature=COOLING_WATER, held=outermost)
+        particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, NOZZLE)
         x = (x[0], W + DUMMY_LAYERS * dx)
         for middle in np.arange(case.roll_first, -2 * dx, -case.roll_pitch):
             roll = self._fill(x, (middle - 0.5 * case.roll_size, middle + 0.5 * case.roll_size), x)
-            particles.add(roll[self._outside(roll, 0.0)], Role.DUMMY, DUMMY)
+            particles.add(roll[self._outside(roll, 0.0)], Role.DUMMY, ROLLS)
 
     def _add_dummies(self, planes: list[SymmetryPlane]) -> None:
         """Dummies behind the planes of symmetry, in 3D also behind mould and rolls, or melt leaks at their ends."""
         dx = self.case.spacing
         behind, height = (-DUMMY_LAYERS * dx, 0.0), (-7 * dx, self.rim)
         outside = self.case.half_width + MOULD_LAYERS * dx
-        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], outside)), DUMMY)
+        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], outside)), PLANE)
         for plane in planes[1:]:
-            plane.add_dummies(self.particles, self._fill((0.0, outside), height, behind), DUMMY)
+            plane.add_dummies(self.particles, self._fill((0.0, outside), height, behind), PLANE)
 
     def _add_spray(self) -> Spray:
         case = self.case
