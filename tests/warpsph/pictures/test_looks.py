@@ -41,7 +41,7 @@ def test_default_look_of_a_strand(result, frames):
     hottest, coldest = (np.argmax(np.where(free, sign * fields["temperature"], -np.inf)) for sign in (1, -1))
     np.testing.assert_allclose(colours[hottest], to_rgb(MELT[-1]), atol=0.05)
     np.testing.assert_allclose(colours[coldest], to_rgb(SHELL[0]), atol=0.05)
-    assert [name for name, _ in look.patches()] == ["mould", "dummy", "spray"]
+    assert [name for name, _ in look.patches()] == ["copper", "dummy", "spray"]
     assert look.title == "temperature [K]"
 
 
