@@ -30,7 +30,9 @@ class Layout:
 
 
 def arrange(aspect: float, panels: int, long_side: float, key: float) -> Layout:
-    """The grid in which the panels are largest, with the fewest rows and then columns; the key lies in a cell of it that is left over, or beside it.
+    """The grid in which the panels are largest, with the fewest rows and columns of those.
+
+    The key lies in a cell of it that is left over, or beside it.
 
     Args:
         aspect: width over height of a panel.
