@@ -1,5 +1,8 @@
 """Axes of a picture in perspective: three edges of the box that holds the particles, with ticks."""
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.ticker import MaxNLocator
@@ -7,11 +10,32 @@ from matplotlib.ticker import MaxNLocator
 from warpsph.pictures.view import View
 
 INK, PALE_INK = "#26292e", "#8a8f98"
-# of each axis: which of the other two coordinates are at the upper end, and where its numbers and its name stand [pt]
+TEXT: dict[str, Any] = {"textcoords": "offset points", "color": INK, "annotation_clip": False}
+TICK: dict[str, Any] = {"arrowstyle": "-", "color": PALE_INK, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0}
+
+
+@dataclass(frozen=True)
+class Edge:
+    """An edge of the box, and where what is written beside it stands [points].
+
+    Args:
+        upper: which coordinates of the edge are at the upper end of the box.
+        number, name: distances of numbers and name from the edge.
+        sides: on which sides of these places they stand, horizontally and vertically.
+        rotation: of the name [degrees].
+    """
+
+    upper: tuple[int, int, int]
+    number: tuple[float, float]
+    name: tuple[float, float]
+    sides: tuple[str, str]
+    rotation: float = 0.0
+
+
 EDGES = (
-    ((0, 0, 1), (-6, -5), (-16, -18), {"ha": "right", "va": "top"}),
-    ((0, 0, 1), (-6, 0), (-34, 0), {"ha": "right", "va": "center"}),
-    ((1, 0, 0), (6, -5), (16, -18), {"ha": "left", "va": "top"}),
+    Edge((0, 0, 1), (-6, -5), (-16, -18), ("right", "top")),
+    Edge((0, 0, 1), (-6, 0), (-34, 0), ("right", "center"), 90.0),
+    Edge((1, 0, 0), (6, -5), (16, -18), ("left", "top")),
 )
 
 
@@ -20,27 +44,15 @@ def draw_axes(axes: Axes, view: View) -> None:
     if view.camera is None:
         return
     low, high = view.camera.low, view.camera.high
-    for axis, (upper, beside, name_beside, style) in enumerate(EDGES):
-        corner = np.where(upper, high, low)
-        ends = np.tile(corner, (2, 1))
-        ends[:, axis] = low[axis], high[axis]
-        axes.plot(*view.project(ends)[:, :2].T, color=PALE_INK, linewidth=0.7, clip_on=False, zorder=0.5)
+    for axis, edge in enumerate(EDGES):
         ticks = MaxNLocator(4, steps=[1, 2, 5, 10]).tick_values(low[axis], high[axis])
         ticks = ticks[(ticks > low[axis] - 1e-9) & (ticks < high[axis] + 1e-9)]
-        places = np.tile(corner, (len(ticks), 1))
-        places[:, axis] = ticks
-        for tick, place in zip(ticks, view.project(places)[:, :2], strict=True):
-            axes.annotate(
-                f"{tick:.12g}",
-                place,
-                beside,
-                textcoords="offset points",
-                fontsize=8,
-                color=INK,
-                arrowprops={"arrowstyle": "-", "color": PALE_INK, "linewidth": 0.6, "shrinkA": 0, "shrinkB": 0},
-                annotation_clip=False,
-                **style,
-            )
-        middle = view.project(ends.mean(axis=0, keepdims=True))[0, :2]
-        name = {"textcoords": "offset points", "fontsize": 8.5, "color": INK, "annotation_clip": False}
-        axes.annotate(f"{'xyz'[axis]} [m]", middle, name_beside, rotation=90 if axis == 1 else 0, **name, **style)
+        along = np.array([low[axis], high[axis], 0.5 * (low[axis] + high[axis]), *ticks])
+        places = np.tile(np.where(edge.upper, high, low), (len(along), 1))
+        places[:, axis] = along
+        start, end, middle, *marks = view.project(places)[:, :2].tolist()
+        axes.plot(*zip(start, end, strict=True), color=PALE_INK, linewidth=0.7, clip_on=False, zorder=0.5)
+        style = TEXT | {"ha": edge.sides[0], "va": edge.sides[1]}
+        for tick, place in zip(ticks, marks, strict=True):
+            axes.annotate(f"{tick:.12g}", place, edge.number, arrowprops=TICK, fontsize=8, **style)
+        axes.annotate(f"{'xyz'[axis]} [m]", middle, edge.name, rotation=edge.rotation, fontsize=8.5, **style)
