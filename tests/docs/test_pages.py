@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from warpsph.cli.catalogue import all_scenarios
+
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*(ROOT / "docs").rglob("*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"])
 
@@ -45,3 +47,11 @@ def written(words: list[str]) -> tuple[str, ...]:
         case = next((word for word in words[3:] if word.endswith(".toml")), preset)
         return ("run", words[2], case)
     return tuple(words)
+
+
+def test_every_scenario_is_linked():
+    """If it failed, a page about a scenario could be found by those only who know that it is there."""
+    index, readme = (ROOT / "docs" / "index.md").read_text(), (ROOT / "README.md").read_text()
+    pages = [path.name for path in (ROOT / "docs" / "scenarios").glob("*.md")]
+    assert [name for name in pages if f"](scenarios/{name})" not in index] == []
+    assert [name for name in all_scenarios() if f"| [`{name}`](docs/scenarios/{name}.md) |" not in readme] == []
