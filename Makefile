@@ -20,7 +20,7 @@ EXTRA_docs := [docs]
 
 run: .venv/installed-run graphics
 	$(BIN)/warpsph run casting --preset demo --output $(DEMO).vtkhdf --overwrite
-	@$(BIN)/warpsph render $(DEMO).vtkhdf --output $(DEMO).png
+	@$(BIN)/warpsph render $(DEMO).vtkhdf --output $(DEMO).png --overwrite
 	@echo "Look at $(DEMO).png; more with: $(BIN)/warpsph --help"
 
 test: .venv/installed-dev

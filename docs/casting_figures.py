@@ -4,35 +4,32 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.axes import Axes
 
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.files.results import ResultFile
-from warpsph.pictures import render_still
 from warpsph.scenarios.breakout.breakout import HOLE, OUTFLOW, THINS, Breakout
 from warpsph.scenarios.casting.casting import Casting
 from warpsph.scenarios.casting.experiments import INLETS, mean_shell, whole_cycles
 
 DOTS_PER_INCH = 150
 PHASES = 20  # of a cycle of the mould
+EVENT_NAMES = {THINS: "shell thins", HOLE: "hole", OUTFLOW: "melt runs out"}
 
 
 def draw_inlets(results: list[ResultFile], picture: Path) -> None:
-    """A strand with side ports, and the thickness of the shell against height for ports at three heights."""
-    strand = picture.with_suffix(".strand.png")
-    render_still(results[1], strand)
-    drawing, (left, right) = plt.subplots(1, 2, figsize=(9, 6), width_ratios=(1, 1.3), layout="constrained")
-    left.imshow(plt.imread(strand))
-    left.set_axis_off()
-    strand.unlink()
+    """The thickness of the shell against height for ports at three heights."""
+    drawing, axes = plt.subplots(figsize=(6, 5.5), layout="constrained")
     for k, (preset, result) in enumerate(zip(INLETS, results, strict=True)):
         case = resolve(Casting, [preset_layer(Casting, preset)])
         heights = result.diagnostics["height"][0]
-        right.plot(1e3 * mean_shell(result.diagnostics), heights, "o-", ms=4, color=f"C{k}", label=preset.split("_")[1])
-        right.axhline(case.nozzle_mouth, color=f"C{k}", ls=":", lw=1)
-    right.axhline(case.mould_bottom, color="0.7", lw=1)
-    right.annotate("mould ends", (0.98, case.mould_bottom), xycoords=("axes fraction", "data"), ha="right", va="bottom")
-    right.set(xlabel="shell thickness [mm]", ylabel="height [m]")
-    right.legend(frameon=False, title="ports")
+        label = f"{preset.split('_')[1]}, {case.nozzle_mouth:g} m"
+        axes.plot(1e3 * mean_shell(result.diagnostics), heights, "o-", ms=4, color=f"C{k}", label=label)
+        axes.axhline(case.nozzle_mouth, color=f"C{k}", ls=":", lw=1)
+    axes.axhline(case.mould_bottom, color="0.7", lw=1)
+    axes.annotate("mould ends", (0.98, case.mould_bottom), xycoords=("axes fraction", "data"), ha="right", va="bottom")
+    axes.set(xlabel="shell thickness [mm]", ylabel="height [m]", ylim=(0.0, case.level), xlim=(-0.5, None))
+    axes.legend(frameon=False, title="ports at", loc="lower left")
     _save(drawing, picture)
 
 
@@ -72,15 +69,21 @@ def draw_breakout_shell(failed: ResultFile, control: ResultFile, case: Breakout,
             d["time"], d["height"][0], 1e3 * d["shell_thickness"].T, cmap="viridis", vmin=0, vmax=24, shading="nearest"
         )
         panel.axhline(case.mould_bottom, color="w", lw=1)
-        panel.set(title=title, xlabel="time [s]", xlim=(0, 18))
-        for time, text in result.events:
-            panel.axvline(time, color="w", lw=1, ls="--")
-            short = next((word for word in (THINS, HOLE, OUTFLOW) if word in text), "sprays fail")
-            side = "left" if short == OUTFLOW else "right"
-            panel.text(time, 0.43, short, color="w", rotation=90, ha=side, va="top", fontsize=8)
+        panel.set(title=title, xlabel="time [s]", xlim=(0, d["time"][-1]))
+        _label_events(panel, result.events, case.level)
     axes[0].set(ylabel="height [m]")
     drawing.colorbar(image, label="shell thickness [mm]")
     _save(drawing, picture)
+
+
+def _label_events(panel: Axes, events: list[tuple[float, str]], top: float) -> None:
+    """Lines at the moments of a breakout, each name at a height of its own, so that none lies over another."""
+    for k, (time, text) in enumerate(events):
+        name = next((name for word, name in EVENT_NAMES.items() if word in text), "sprays fail")
+        panel.axvline(time, color="w", lw=1, ls="--")
+        after = time < 0.3 * panel.get_xlim()[1] or OUTFLOW in text
+        side, name = ("left", f" {name}") if after else ("right", f"{name} ")
+        panel.text(time, (0.95 - 0.06 * k) * top, name, color="w", ha=side, va="center", fontsize=10)
 
 
 def event_times(result: ResultFile) -> list[float]:

@@ -111,8 +111,14 @@ def casting_shell(picture: Path) -> None:
 
 
 @figure
+def casting_inlet_port(picture: Path) -> None:
+    """The strand with side ports in the middle."""
+    render_still(simulated("casting", "inlet_middle"), picture)
+
+
+@figure
 def casting_inlets(picture: Path) -> None:
-    """The strand with side ports, and its shell with ports at three heights."""
+    """The thickness of the shell with ports at three heights."""
     draw_inlets([simulated("casting", preset) for preset in INLETS], picture)
 
 

@@ -16,7 +16,7 @@ from warpsph.run.simulation import Simulation
 from warpsph.scenarios.casting.checks import casting_checks
 from warpsph.scenarios.casting.experiments import INLETS, inlet_checks, oscillation_checks, parameter_checks
 from warpsph.scenarios.casting.feasibility import refuse_what_cannot_hold
-from warpsph.scenarios.casting.machine import DUMMY, CastingMachine
+from warpsph.scenarios.casting.machine import MOULD, NOZZLE, PLANE, ROLLS, CastingMachine
 from warpsph.scenarios.casting.observer import CastingObserver
 from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity, contact_conductivity
@@ -34,8 +34,9 @@ class Casting(CastingParameters):
     @property
     def model(self) -> Model:
         """The physics of the strand and its surroundings, without the parts of the machine."""
-        steel, copper = self.steel, replace(COPPER, viscosity=self.mould_friction)
-        materials = (steel, copper, solid_material(DUMMY, self.density), WATER)
+        steel, copper = self.steel, replace(COPPER, name=MOULD, viscosity=self.mould_friction)
+        held = (solid_material(name, self.density) for name in (PLANE, NOZZLE, ROLLS))
+        materials = (steel, copper, *held, WATER)
         plain = Model(self.dimension, self.spacing, materials, support_ratio=self.support_ratio)
         contact = {
             (steel.name, copper.name): contact_conductivity(plain, self.mould_conductance),

@@ -6,7 +6,7 @@ import numpy as np
 
 from warpsph.core.hydrostatics import column_pressure, row_heights
 from warpsph.core.labels import Role
-from warpsph.core.materials import COPPER, WATER
+from warpsph.core.materials import WATER
 from warpsph.core.model import GRAVITY
 from warpsph.core.particles import Particles, lattice
 from warpsph.machine import Inlet, LevelGauge, Outflow, Rolls, ShellSpeedometer, Spray, SprayZone, SymmetryPlane
@@ -18,7 +18,7 @@ from warpsph.scenarios.casting.parameters import (
     CastingParameters,
 )
 
-DUMMY = "dummy"
+MOULD, PLANE, NOZZLE, ROLLS = "mould", "symmetry plane", "nozzle", "rolls"  # materials, by which pictures name them
 MOULD_LAYERS = 4
 DUMMY_LAYERS = 3
 OUTFLOW_ROWS = 4
@@ -136,26 +136,26 @@ class CastingMachine:
             particles.add(
                 mould + np.array([0.0, half, 0.0]),
                 Role.WALL,
-                COPPER.name,
+                MOULD,
                 temperature=COOLING_WATER,
                 held=outermost,
                 volume=0.5 * dx**case.dimension,
             )
-        particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, DUMMY)
+        particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, NOZZLE)
         breadth = W if case.dimension == 3 else 0.0
         rolls = self.rolls.surface(dx, breadth)
         if case.dimension == 3:
             rolls = np.concatenate([rolls, rolls[:, ::-1]])
-        particles.add(rolls, Role.DUMMY, DUMMY, flows=False)
+        particles.add(rolls, Role.DUMMY, ROLLS, flows=False)
 
     def _add_dummies(self, planes: list[SymmetryPlane]) -> None:
         """Dummies behind the planes of symmetry, in 3D also behind mould and rolls, or melt leaks at their ends."""
         dx = self.case.spacing
         behind, height = (-DUMMY_LAYERS * dx, 0.0), (-7 * dx, self.rim)
         outside = self.case.half_width + MOULD_LAYERS * dx
-        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], outside)), DUMMY)
+        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], outside)), PLANE)
         for plane in planes[1:]:
-            plane.add_dummies(self.particles, self._fill((0.0, outside), height, behind), DUMMY)
+            plane.add_dummies(self.particles, self._fill((0.0, outside), height, behind), PLANE)
 
     def _add_spray(self) -> Spray:
         case = self.case

@@ -5,14 +5,14 @@ from typing import Any
 import numpy as np
 
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import COPPER, WATER
+from warpsph.core.materials import WATER
 from warpsph.core.model import Model
 from warpsph.core.state import Snapshot
 from warpsph.run.diagnostics import enthalpy_by_material
 from warpsph.run.events import Events
 from warpsph.run.measured import Measured, Values
 from warpsph.scenarios.casting.alarms import Alarms
-from warpsph.scenarios.casting.machine import CastingMachine
+from warpsph.scenarios.casting.machine import MOULD, CastingMachine
 from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.scenarios.casting.shell import profile_heights, shell_profile
 from warpsph.scenarios.casting.watch import ShellWatch
@@ -36,7 +36,7 @@ class CastingObserver:
     def begin(self, model: Model, snapshot: Snapshot, events: Events) -> None:
         """Remember the initial contents, and where events are noted."""
         self.materials = len(model.materials)
-        names = (self.case.steel.name, COPPER.name, WATER.name)
+        names = (self.case.steel.name, MOULD, WATER.name)
         self.steel, self.mould, self.water = (model.index_of(name) for name in names)
         self.start = enthalpy_by_material(snapshot, self.materials)
         self.watch = ShellWatch(self.case, self.steel, events.note)

@@ -9,7 +9,7 @@ from cyclopts.validators import Number
 from rich.text import Text
 
 from warpsph.cli.consoles import error_console, output_console
-from warpsph.cli.target import check_target
+from warpsph.cli.target import check_free, check_target
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 
@@ -23,6 +23,7 @@ def render(
     movie: bool = False,
     cut: Annotated[str | None, Parameter(metavar="AXIS=METRES")] = None,
     output: Annotated[Path | None, Parameter(metavar="PICTURE")] = None,
+    overwrite: bool = False,
 ) -> None:
     """Draw a frame of a result file as a PNG picture, or all frames as an MP4 movie; no display is needed.
 
@@ -31,16 +32,19 @@ def render(
     file
         A VTKHDF file written by `warpsph run`.
     field
-        Colour the particles by this field, for example temperature, pressure or velocity; by role and temperature
-        when not given.
+        Colour the particles by this field, for example temperature, pressure, velocity, phase or role; a casting as
+        a caster sees it, and else temperature or speed, when not given.
     time
         Physical time in s; the nearest frame is drawn, the last one when not given.
     movie
         Draw all frames as a movie.
     cut
-        Cut the picture open: leave out what lies beyond a plane, for example z=0.03.
+        Cut the picture open: leave out what lies beyond a plane, for example z=0.03 in three dimensions.
     output
-        The picture to write; beside FILE, with its name, when not given.
+        The picture to write; when not given it stands beside FILE and is called after it, the field, the time of the
+        frame and the cut, as far as they are given.
+    overwrite
+        Replace the picture if it exists.
     """
     if movie and time is not None:
         raise InputError("--time and --movie exclude each other: a movie shows all times")
@@ -51,9 +55,11 @@ def render(
     if output is not None:
         check_target(output, suffix)
     result = ResultFile(file)
-    picture = output or _beside(file, field, suffix)
     if time is not None:
         _check_time(result, time)
+        time = float(result.times[result.nearest(time)])
+    picture = output or _beside(file, field, time, plane, suffix)
+    check_free(picture, overwrite)
     _draw(result, picture, field, time, movie, plane)
     output_console().print(Text(f"written: {picture}"), soft_wrap=True)
 
@@ -86,9 +92,13 @@ def _plane(cut: str | None) -> tuple[int, float] | None:
         raise InputError(f"--cut '{cut}': give an axis and a place in metres, for example z=0.03") from None
 
 
-def _beside(file: Path, field: str | None, suffix: str) -> Path:
-    ending = "" if field is None else f"-{field.replace('/', ' ')}"
-    return file.with_name(f"{file.stem}{ending}{suffix}")
+def _beside(file: Path, field: str | None, time: float | None, plane: tuple[int, float] | None, suffix: str) -> Path:
+    """The picture's name, which says what it shows."""
+    words = [file.stem]
+    words += [field.replace("/", " ")] if field is not None else []
+    words += [f"{time:.6g}s"] if time is not None else []
+    words += [f"{'xyz'[plane[0]]}={plane[1]:g}"] if plane is not None else []
+    return file.with_name("-".join(words) + suffix)
 
 
 def _check_time(result: ResultFile, time: float) -> None:

@@ -15,7 +15,7 @@ from warpsph.cases.scenario import Scenario
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
-from warpsph.cli.target import check_target
+from warpsph.cli.target import check_free, check_target
 from warpsph.errors import DivergenceError, InputError
 from warpsph.run.result import Result
 
@@ -106,8 +106,7 @@ def _layers(
 def _target(output: Path | None, default_stem: str, overwrite: bool) -> Path:
     path = output or RESULTS / f"{default_stem}.vtkhdf"
     check_target(path, ".vtkhdf", made_by_us=path.parent == RESULTS)
-    if path.exists() and not overwrite:
-        raise InputError(f"{path}: exists already; choose another name with --output, or give --overwrite")
+    check_free(path, overwrite)
     return path
 
 

@@ -28,3 +28,13 @@ def check_target(output: Path, suffix: str, made_by_us: bool = False) -> None:
         raise InputError(f"--output '{output}': is a folder; give the name of a file")
     if not (made_by_us or output.parent.is_dir()):
         raise InputError(f"--output '{output}': there is no folder '{output.parent}'; make it first")
+
+
+def check_free(target: Path, overwrite: bool) -> None:
+    """Refuse to replace a file that nobody allowed to be replaced.
+
+    Raises:
+        InputError: it exists.
+    """
+    if target.exists() and not overwrite:
+        raise InputError(f"{target}: exists already; choose another name with --output, or give --overwrite")

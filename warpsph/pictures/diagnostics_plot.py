@@ -2,7 +2,7 @@
 
 from itertools import cycle, product
 from pathlib import Path
-from textwrap import fill
+from textwrap import fill, wrap
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -23,6 +23,9 @@ STYLES = ("-", "--", ":", "-.")  # for every further round of the colours
 PANEL_WIDTH, PANEL_HEIGHT = 3.5, 1.9  # inches
 DOTS_PER_INCH = 160
 TITLE_LETTERS = 46  # in a line
+NOTES = 8  # events that are told below the panels
+NOTE_SIZE, NOTE_LINE = 8, 0.16  # points; inches
+NOTE_LETTERS = 52  # in a line, for each column of panels
 
 
 def plot_diagnostics(result: ResultFile, output: Path) -> None:
@@ -44,7 +47,9 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
         raise InputError(f"{result.path}: holds no diagnostics to plot")
     columns = min(len(panels), 2 if len(panels) <= 6 else 3)
     rows = -(-len(panels) // columns)
-    figure = Figure(figsize=(PANEL_WIDTH * columns, PANEL_HEIGHT * rows + 0.4), dpi=DOTS_PER_INCH, layout="constrained")
+    notes = _notes(result.events, columns)
+    height = PANEL_HEIGHT * rows + 0.4 + NOTE_LINE * len(notes)
+    figure = Figure(figsize=(PANEL_WIDTH * columns, height), dpi=DOTS_PER_INCH, layout="constrained")
     grid = figure.subplots(rows, columns, sharex=True, squeeze=False)
     for place, axes in enumerate(grid.ravel()):
         if place >= len(panels):
@@ -61,15 +66,21 @@ def plot_diagnostics(result: ResultFile, output: Path) -> None:
         if place + columns >= len(panels):
             axes.set_xlabel("time [s]", fontsize=8, color=INK)
             axes.tick_params(labelbottom=True)
-    if result.events:
-        notes = "   ".join(f"{time:.3g} s: {text}" for time, text in result.events[:4])
-        more = len(result.events) - 4
-        figure.supxlabel(notes + (f"   and {more} more events" if more > 0 else ""), fontsize=7.5, color=PALE_INK)
+    if notes:
+        figure.supxlabel("\n".join(notes), x=0.01, ha="left", fontsize=NOTE_SIZE, color=INK, linespacing=1.3)
     FigureCanvasAgg(figure).draw()
     for axes in figure.axes:
         # the power of ten beside the title, where it does not push the title up
         axes.set_title(axes.yaxis.get_major_formatter().get_offset(), loc="right", fontsize=8, color=INK)
     save(figure, output)
+
+
+def _notes(events: list[tuple[float, str]], columns: int) -> list[str]:
+    """Lines that tell the events, none wider than the panels."""
+    told = [f"{time:.3g} s: {text}" for time, text in events[:NOTES]]
+    if len(events) > NOTES:
+        told.append(f"and {len(events) - NOTES} more events")
+    return [line for text in told for line in wrap(text, NOTE_LETTERS * columns, subsequent_indent="    ")]
 
 
 def _dress(axes: Axes, title: str) -> None:

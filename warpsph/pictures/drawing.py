@@ -31,7 +31,7 @@ class Drawing:
         cut: axis (0, 1, 2) and place [m] of a plane, beyond which nothing is drawn; None for no cut.
 
     Raises:
-        InputError: there is no frame, no such field, or nothing on this side of the cut.
+        InputError: there is no frame, no such field, nothing on this side of the cut, or no depth to cut in.
     """
 
     def __init__(
@@ -49,6 +49,8 @@ class Drawing:
         self.result, self.cut = result, cut
         survey = np.linspace(0, len(result.times) - 1, SURVEYED_FRAMES).round().astype(int).tolist()
         frames = {k: self._frame(k) for k in {*drawn, *survey}}
+        if cut is not None and cut[0] == 2 and not any(np.any(points[:, 2]) for points, _ in frames.values()):
+            raise InputError(f"cut = z={cut[1]:g}: this run is two-dimensional and has no depth; cut along x or y")
         if cut is not None and not any(len(points) for points, _ in frames.values()):
             raise InputError(f"cut = {'xyz'[cut[0]]}={cut[1]:g}: all particles lie beyond it")
         self.look = choose_look(result, field, list(frames.values()))
@@ -58,10 +60,14 @@ class Drawing:
     def draw(self, panel: int, k: int) -> None:
         """Draw frame ``k`` into a panel."""
         points, fields = self._frame(k)
+        drawn = self.view.uncovered(points, fields["role"])
+        points, fields = points[drawn], {name: values[drawn] for name, values in fields.items()}
         diameters = self.view.diameters(fields["role"])
-        points = self.view.layered(points, fields["role"])
-        image = painter()(points, self.look.colours(fields), diameters, self.view, self.sheet.size)
+        layered = self.view.layered(points, fields["role"])
+        image = painter()(layered, self.look.colours(fields), diameters, self.view, self.sheet.size)
         self.sheet.show(panel, image, self.result.times[k])
+        if self.look.edge and self.view.camera is None:
+            self.sheet.show_edge(panel, points, fields)
 
     def _frame(self, k: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         points, fields = self.result.frame(k)

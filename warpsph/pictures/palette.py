@@ -17,6 +17,12 @@ ROLE_COLOURS: Mapping[int, str] = {
     Role.INFLOW: "#fbd34d",
     Role.OUTFLOW: "#b5532a",
 }
+# by role and place among the materials of this role
+SHADES: Mapping[tuple[int, int], str] = {
+    (Role.WALL, 1): "#7d8f3c",
+    (Role.DUMMY, 1): "#b9a27c",
+    (Role.DUMMY, 2): "#6f6a60",
+}
 PHASE_COLOURS: Mapping[int, str] = {Phase.LIQUID: "#ee7412", Phase.MUSHY: "#f6c667", Phase.SOLID: "#34567d"}
 UNKNOWN = "#999999"
 MATERIAL_COLOURS = ("#ee7412", "#35b8a9", "#34567d", "#b279a2", "#bab0ac", "#9d755d")

@@ -7,19 +7,21 @@ from typing import Any
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from warpsph.errors import InputError
+from warpsph.pictures.axes_in_space import INK, PALE_INK, draw_axes
+from warpsph.pictures.layout import arrange
 from warpsph.pictures.looks import Look
+from warpsph.pictures.parts import Fields
+from warpsph.pictures.shell_edge import NAME, RIM, draw_edge
 from warpsph.pictures.view import View
 
 STILL_SUFFIXES = (".png", ".pdf", ".svg", ".jpg")
 # inches
-LEFT, RIGHT, BOTTOM, TOP, GAP = 0.62, 0.12, 0.5, 0.38, 0.22
-KEY, BAR_WIDTH, BAR_HEIGHT, LINE = 1.35, 0.17, 3.0, 0.23
+BAR_WIDTH, BAR_HEIGHT, LINE = 0.17, 3.0, 0.23
 POWER = 0.62  # from the left of the bar to its power of ten, beside the tick labels
-WIDEST_ROW = 14.0
 KEY_LETTERS = 17  # in a line of the key's title
-INK, PALE_INK = "#26292e", "#8a8f98"
 
 
 class Sheet:
@@ -37,17 +39,12 @@ class Sheet:
     def __init__(
         self, view: View, look: Look, panels: int, long_side: float, dots_per_inch: int, last_time: float
     ) -> None:
-        width, height = long_side * min(1.0, view.aspect), long_side / max(1.0, view.aspect)
-        columns = max(1, min(panels, int((WIDEST_ROW + GAP) / (width + GAP))))
-        rows = -(-panels // columns)
-        with_axes = view.camera is None
-        left, bottom = (LEFT, BOTTOM) if with_axes else (RIGHT, RIGHT)
-        row = height + TOP + (bottom if with_axes else 0.0)
         title = wrap(look.title, KEY_LETTERS)
         heading = 0.6 * LINE * (len(title) + 1)
-        key = heading + LINE * (len(look.patches()) + 0.3) + (1.2 if look.bar else 0.0)
-        body = max(rows * row, key)
-        total = (left + columns * (width + GAP) + KEY, body + (0.0 if with_axes else RIGHT))
+        signs = len(look.patches()) + look.edge
+        key = heading + LINE * (signs + 0.3) + (1.2 if look.bar else 0.0)
+        layout = arrange(view.aspect, panels, long_side, key)
+        total, (_, _, width, height) = layout.total, layout.panels[0]
 
         # whole and even numbers of pixels, which movies need
         pixels = [2 * round(dots_per_inch * length / 2) for length in total]
@@ -58,23 +55,28 @@ class Sheet:
         self.size = (max(2, round(dots_per_inch * width)), max(2, round(dots_per_inch * height)))
         self._total, self._view, self._last_time = total, view, last_time
         self._panels = []
-        for panel in range(panels):
-            across, down = panel % columns, panel // columns
-            place = (left + across * (width + GAP), total[1] - TOP - down * row - height, width, height)
+        for panel, place in enumerate(layout.panels):
             axes = self._axes(*place)
-            self._dress(axes, first=across == 0, with_axes=with_axes)
+            self._dress(axes, first=panel % layout.columns == 0)
             self._panels.append(
                 (axes, self._blank(axes), axes.set_title("", loc="left", fontsize=10, color=INK, pad=5))
             )
-        key_left, key_top = left + columns * (width + GAP) + 0.1, total[1] - TOP
+        self._edges: dict[int, list[Any]] = {}
+        key_left, key_top = layout.key
         self._text(key_left, key_top, "\n".join(title), weight="bold")
-        self._draw_key(look, key_left, key_top - heading, max(body - TOP - bottom, key - LINE) - heading)
+        self._draw_key(look, key_left, key_top - heading, max(layout.room, key - LINE) - heading)
 
     def show(self, panel: int, image: np.ndarray, time: float) -> None:
         """Put the painted particles (height, width, 3) uint8 of ``time`` [s] into a panel."""
         _, picture, title = self._panels[panel]
         picture.set_data(image)
         title.set_text(f"t = {time_text(time, self._last_time)}")
+
+    def show_edge(self, panel: int, points: np.ndarray, fields: Fields) -> None:
+        """Draw the line around what has frozen into a panel, in place of the one before."""
+        for drawn in self._edges.get(panel, []):
+            drawn.remove()
+        self._edges[panel] = draw_edge(self._panels[panel][0], points, fields, self._view)
 
     def save(self, output: Path) -> None:
         """Write the sheet to a file."""
@@ -96,10 +98,12 @@ class Sheet:
         extent = (view.left, view.right, view.bottom, view.top)
         return axes.imshow(white, extent=extent, aspect="auto", interpolation="antialiased")
 
-    def _dress(self, axes, first: bool, with_axes: bool) -> None:
+    def _dress(self, axes, first: bool) -> None:
         axes.set_frame_on(False)
-        if not with_axes:
+        if self._view.camera:
             axes.set(xticks=[], yticks=[])
+            draw_axes(axes, self._view)
+            axes.set(xlim=(self._view.left, self._view.right), ylim=(self._view.bottom, self._view.top))
             return
         axes.tick_params(colors=PALE_INK, labelcolor=INK, labelsize=8, length=3, width=0.6, left=first, labelleft=first)
         axes.locator_params(axis="x", nbins=max(2, round(self.size[0] / self.figure.dpi * 2.2)))
@@ -110,7 +114,7 @@ class Sheet:
     def _draw_key(self, look: Look, left: float, top: float, height: float) -> None:
         patches = look.patches()
         if look.bar:
-            bar_height = min(BAR_HEIGHT, height - (len(patches) + 1) * LINE)
+            bar_height = min(BAR_HEIGHT, height - (len(patches) + look.edge + 1) * LINE)
             indent = 0.17 if look.bar.halves else 0.0
             axes = self._axes(left + indent, top - bar_height, BAR_WIDTH, bar_height)
             bar = self.figure.colorbar(look.bar.mappable, cax=axes, extend=look.bar.extend, ticks=look.bar.ticks)
@@ -137,6 +141,11 @@ class Sheet:
             )
             self._text(left + 0.22, top, name, va="center")
             top -= LINE
+        if look.edge:
+            across, up = self._total
+            ends = [(left + end) / across for end in (0.0, 0.15)]
+            self.figure.add_artist(Line2D(ends, [top / up] * 2, color="white", linewidth=1.1, path_effects=[RIM]))
+            self._text(left + 0.22, top, NAME, va="center")
 
     def _text(self, left: float, bottom: float, text: str, **style: Any) -> None:
         self.figure.text(

@@ -8,7 +8,7 @@ from warpsph.pictures.drawing import Cut, Drawing, check_output
 from warpsph.pictures.sheet import STILL_SUFFIXES
 
 DOTS_PER_INCH = 200
-LONG_SIDE, LONG_SIDE_IN_SERIES = 7.2, 5.4  # inches
+LONG_SIDE, LONG_SIDE_IN_SERIES = 7.2, 4.5  # inches
 
 
 def render_still(
@@ -17,8 +17,8 @@ def render_still(
     """Draw the frame nearest to a time.
 
     Without ``field`` a run in which something has frozen is drawn as a caster sees it: melt from dark red to pale
-    yellow and shell from navy to pale blue by temperature, mould turquoise, dummies pale, sprays deep blue. Other runs
-    show temperature, where it varies, or speed.
+    yellow and shell from navy to pale blue by temperature, beside mould, rolls and water in colours of their own. Other
+    runs show temperature, where it varies, or speed.
 
     Args:
         result: the run.

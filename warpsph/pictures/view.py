@@ -3,26 +3,31 @@
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from warpsph.core.labels import Role
 from warpsph.files.results import ResultFile
-from warpsph.pictures.looks import Frames
+from warpsph.pictures.parts import Frames
 
 DIRECTION = np.array([0.75, 0.5, 1.0]) / np.linalg.norm([0.75, 0.5, 1.0])
 UP = np.array([0.0, 1.0, 0.0])
-GROUND, GROUND_BRIGHTNESS = 1.3, 0.8  # larger, darker discs behind those in 2-D, so that no paper glitters through
+GROUND, GROUND_BRIGHTNESS = 1.55, 0.8  # larger, darker discs behind those in 2-D, so that no paper glitters through
+AROUND = (Role.WALL, Role.DUMMY)
 LAYERS = np.array([0.2, 0.1, 0.0, 0.4, 0.0, 0.3, 0.3])  # by role, in spacings
+AXES_CORNERS = np.array([[0, 0, 1], [1, 0, 1], [1, 0, 0], [0, 1, 1]])  # corners of the box at which axes are drawn
 DISTANCE = 4.0  # of the eye from the centre, in diagonals of the domain
 
 
 @dataclass(frozen=True)
 class Camera:
-    """An eye and the three directions of its picture, all (3,)."""
+    """An eye, the three directions of its picture, and the corners of the box that it looks at, all (3,)."""
 
     eye: np.ndarray
     right: np.ndarray
     up: np.ndarray
     forward: np.ndarray
+    low: np.ndarray
+    high: np.ndarray
 
 
 @dataclass(frozen=True)
@@ -55,8 +60,18 @@ class View:
         """Diameters (n,) [m]: area or volume is the particle's; walls in 3-D are dots that one can see through."""
         if self.camera is None:
             return np.full(len(role), np.sqrt(4.0 / np.pi) * self.spacing)
-        around = np.isin(role, (Role.WALL, Role.DUMMY))
-        return np.where(around, 0.25, np.cbrt(6.0 / np.pi)) * self.spacing
+        return np.where(np.isin(role, AROUND), 0.25, np.cbrt(6.0 / np.pi)) * self.spacing
+
+    def uncovered(self, points: np.ndarray, role: np.ndarray) -> np.ndarray:
+        """Which particles (n,) are drawn: in 3-D no dots of walls and dummies where they would lie over the rest."""
+        drawn = np.ones(len(points), bool)
+        dots = np.isin(role, AROUND)
+        if self.camera and np.any(dots) and not np.all(dots):
+            seen = self.project(points)
+            radius = 0.5 * np.max(self.diameters(role)) / np.min(seen[:, 2])
+            distance, _ = cKDTree(seen[~dots, :2]).query(seen[dots, :2], distance_upper_bound=radius)
+            drawn[dots] = np.isinf(distance)
+        return drawn
 
 
 def make_view(result: ResultFile, frames: Frames) -> View:
@@ -70,8 +85,9 @@ def make_view(result: ResultFile, frames: Frames) -> View:
         eye = (low + high) / 2 + DISTANCE * (np.linalg.norm(high - low) + spacing) * DIRECTION
         right = np.cross(UP, DIRECTION)
         right /= np.linalg.norm(right)
-        camera = Camera(eye, right, np.cross(DIRECTION, right), -DIRECTION)
-        corners = _project(np.clip(points, low, high), camera)[:, :2]
+        camera = Camera(eye, right, np.cross(DIRECTION, right), -DIRECTION, low, high)
+        box = np.where(AXES_CORNERS, high, low)
+        corners = _project(np.concatenate([np.clip(points, low, high), box]), camera)[:, :2]
         (left, bottom), (right, top) = corners.min(axis=0), corners.max(axis=0)
         margin = spacing / float(np.linalg.norm(eye - (low + high) / 2))
     else:

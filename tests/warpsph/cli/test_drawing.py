@@ -35,3 +35,30 @@ def test_diagnostics_are_drawn_beside_the_file(ingot, tmp_path: Path):
     outcome = ingot("plot", "ingot.vtkhdf")
     assert (outcome.code, outcome.output) == (0, "written: ingot-diagnostics.png\n")
     assert imread(tmp_path / "ingot-diagnostics.png").min() < 0.5
+
+
+def test_pictures_are_called_after_what_they_show(ingot, tmp_path: Path):
+    """If it failed, the picture of one field or time would take the place of that of another."""
+    for words in ([], ["--time", "0"], ["--field", "dye", "--time", "0"], ["--cut", "x=0.05"]):
+        assert ingot("render", "ingot.vtkhdf", *words).code == 0
+    drawn = {path.name for path in tmp_path.glob("*.png")}
+    assert drawn == {"ingot.png", "ingot-0s.png", "ingot-dye-0s.png", "ingot-x=0.05.png"}
+
+
+@pytest.mark.parametrize("words", [["render", "ingot.vtkhdf"], ["plot", "ingot.vtkhdf", "--output", "ingot.png"]])
+def test_a_picture_is_replaced_only_when_asked(ingot, tmp_path: Path, words):
+    """If it failed, a picture that somebody wanted to keep would be gone without a word."""
+    (tmp_path / "ingot.png").write_text("dear to me")
+    outcome = ingot(*words)
+    assert outcome.code == 2
+    assert "ingot.png: exists already; choose another name with --output, or give --overwrite" in outcome.error
+    assert (tmp_path / "ingot.png").read_text() == "dear to me"
+    assert ingot(*words, "--overwrite").code == 0
+    assert imread(tmp_path / "ingot.png").min() < 0.5
+
+
+def test_a_plane_has_no_depth_to_cut(ingot):
+    """If it failed, a cut that changes nothing would be passed over in silence."""
+    outcome = ingot("render", "ingot.vtkhdf", "--cut", "z=0.03")
+    assert outcome.code == 2
+    assert "two-dimensional" in outcome.error

@@ -140,3 +140,26 @@ def test_short_and_broken_series(plotted, panels, rows):
     values = {"front": np.nan, "profile": np.arange(4.0), "one": np.ones(1)}
     plotted([values] * rows, {"front": Quantity("front", "m")})
     assert list(panels) == ["front [m]", "profile", "one"]
+
+
+def test_events_are_told_in_lines_that_fit(tmp_path, monkeypatch):
+    """If it failed, what happened in a run would be cut off at the edges of its plot."""
+    told, widths = [], []
+    save = Figure.savefig
+
+    def remember(figure, *arguments, **options):
+        told.append((figure.get_supxlabel(), max(text.get_window_extent().x1 for text in figure.texts)))
+        widths.append(figure.bbox.x1)
+        save(figure, *arguments, **options)
+
+    monkeypatch.setattr(Figure, "savefig", remember)
+    with ResultWriter(tmp_path / "run.vtkhdf", {}, {}) as writer:
+        for time in range(3):
+            writer.write_diagnostics(time, {"level": 1.0 * time})
+        for time in range(10):
+            writer.write_event(time, f"in zone {time} " + "the shell thins " * 8)
+    plot_diagnostics(ResultFile(tmp_path / "run.vtkhdf"), tmp_path / "plot.png")
+    text, right = told[0]
+    assert "2 s: in zone 2" in text
+    assert text.endswith("and 2 more events")
+    assert right < widths[0]

@@ -41,7 +41,7 @@ def test_default_look_of_a_strand(result, frames):
     hottest, coldest = (np.argmax(np.where(free, sign * fields["temperature"], -np.inf)) for sign in (1, -1))
     np.testing.assert_allclose(colours[hottest], to_rgb(MELT[-1]), atol=0.05)
     np.testing.assert_allclose(colours[coldest], to_rgb(SHELL[0]), atol=0.05)
-    assert [name for name, _ in look.patches()] == ["mould", "dummy", "spray"]
+    assert [name for name, _ in look.patches()] == ["copper", "dummy", "spray"]
     assert look.title == "temperature [K]"
 
 
@@ -77,6 +77,25 @@ def test_default_look_of_runs_without_freezing(tmp_path):
     (tmp_path / "run.vtkhdf").unlink()
     result, frames = made_up(tmp_path, temperature=np.linspace(300, 400, 10, dtype="f4"))
     assert choose_look(result, None, frames).name == "temperature"
+
+
+def test_temperature_spends_its_colours_on_the_steel(result, frames):
+    """If it failed, a cold mould would leave one colour for the whole strand, and the shell could not be seen."""
+    look = choose_look(result, "temperature", frames)
+    steel = np.concatenate([fields["temperature"][of_role(fields, Role.FREE)] for _, fields in frames])
+    assert look.mappable.get_clim() == (steel.min(), steel.max())
+    assert [name for name, _ in look.patches()] == ["copper", "dummy", "spray"]
+    assert look.edge
+
+
+def test_walls_are_coloured_where_nothing_freezes(tmp_path):
+    """If it failed, nobody could see how a wall warms up."""
+    role = np.where(np.arange(10) < 5, Role.FREE, Role.WALL).astype("i4")
+    result, frames = made_up(tmp_path, temperature=np.linspace(300, 400, 10, dtype="f4"), role=role)
+    look = choose_look(result, "temperature", frames)
+    assert look.mappable.get_clim() == (300.0, 400.0)
+    assert not look.edge
+    assert look.patches() == []
 
 
 def test_speed_is_the_magnitude_of_velocity(result, frames):

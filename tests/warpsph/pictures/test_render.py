@@ -111,6 +111,31 @@ def test_three_dimensions(tmp_path, with_graphics):
     assert share_of(imread(tmp_path / "still.png"), lambda red, green, blue: red + green + blue < 2.7) > 0.3
 
 
+def test_a_cut_needs_the_depth_that_it_cuts(result, tmp_path):
+    """If it failed, a cut that leaves nothing out would look like one that shows what is inside."""
+    with pytest.raises(InputError, match=r"cut = z=0.03: this run is two-dimensional"):
+        render_still(result, tmp_path / "still.png", cut=(2, 0.03))
+    render_still(result, tmp_path / "still.png", cut=(1, 0.3))
+
+
+def test_axes_in_space_have_names_and_numbers(tmp_path, monkeypatch):
+    """If it failed, nobody could tell how large a body in space is."""
+    texts = []
+    save = Sheet.save
+
+    def remember(sheet, output):
+        texts.extend(text.get_text() for text in sheet.figure.axes[0].texts)
+        save(sheet, output)
+
+    monkeypatch.setattr(Sheet, "save", remember)
+    monkeypatch.setattr(graphics, "graphics_available", lambda: False)
+    points = 0.1 * np.stack([axis.ravel() for axis in np.indices((6, 8, 4))], axis=1)
+    with ResultWriter(tmp_path / "run.vtkhdf", {}, {"spacing": 0.1, "dimension": 3}) as writer:
+        writer.write_frame(0.0, points, {"role": np.zeros(len(points), "i4")})
+    render_still(ResultFile(tmp_path / "run.vtkhdf"), tmp_path / "still.png")
+    assert {"x [m]", "y [m]", "z [m]", "0", "0.4", "0.2"} <= set(texts)
+
+
 def test_a_cut_shows_what_is_inside(tmp_path, with_graphics):
     """If it failed, nobody could see the melt inside a block of shell."""
     points = 0.1 * np.stack([axis.ravel() for axis in np.indices((8, 8, 8))], axis=1)

@@ -78,3 +78,36 @@ def test_discs_have_the_area_of_a_particle(look_at):
     view = look_at(box((5, 5, 1)), spacing=0.1, dimension=2)
     diameters = view.diameters(np.array([Role.FREE, Role.WALL]))
     np.testing.assert_allclose(np.pi / 4 * diameters**2, 0.01)
+
+
+def test_no_dots_of_a_wall_lie_over_the_rest(look_at):
+    """If it failed, the shell of a billet could not be seen for the dots of its mould."""
+    inside = box((6, 6, 6))
+    sheet, aside = box((1, 6, 6)), np.array([0.8, 0.0, 0.0])
+    wall = np.concatenate([sheet + aside, sheet - aside])
+    points = np.concatenate([inside, wall])
+    role = np.repeat([Role.FREE, Role.WALL], [len(inside), len(wall)])
+    view = look_at(points, spacing=0.1, dimension=3)
+    drawn = view.uncovered(points, role)
+    assert np.all(drawn[role == Role.FREE])
+    assert 0 < np.sum(drawn[role == Role.WALL]) < len(wall)
+    radius = 0.4 * 0.1 / view.project(points)[:, 2].max()
+    seen = view.project(points)[:, :2]
+    for dot in seen[drawn & (role == Role.WALL)]:
+        assert np.min(np.linalg.norm(seen[role == Role.FREE] - dot, axis=1)) > radius
+
+
+def test_all_dots_are_drawn_in_the_plane(look_at):
+    """If it failed, walls in two dimensions would have holes where melt touches them."""
+    points = box((5, 5, 1))
+    view = look_at(points, spacing=0.1, dimension=2)
+    assert np.all(view.uncovered(points, np.repeat([Role.FREE, Role.WALL], [13, 12])))
+
+
+def test_the_view_holds_the_axes(look_at):
+    """If it failed, the axes of a picture in space would run out of it."""
+    points = box((6, 12, 4))[5:]
+    view = look_at(points, spacing=0.1, dimension=3)
+    low, high = view.camera.low, view.camera.high
+    corners = view.project(np.array([[low[0], low[1], high[2]], [high[0], low[1], high[2]], [high[0], low[1], low[2]]]))
+    assert np.all((corners[:, 0] > view.left) & (corners[:, 0] < view.right) & (corners[:, 1] > view.bottom))
