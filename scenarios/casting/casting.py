@@ -18,7 +18,7 @@ from warpsph.scenarios.casting.experiments import INLETS, inlet_checks, oscillat
 from warpsph.scenarios.casting.machine import DUMMY, CastingMachine
 from warpsph.scenarios.casting.observer import CastingObserver
 from warpsph.scenarios.casting.parameters import CastingParameters
-from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity, contact_conductivity
+from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity
 
 
 class Casting(CastingParameters):
@@ -35,20 +35,19 @@ class Casting(CastingParameters):
         """The physics of the strand and its surroundings, without the parts of the machine."""
         steel, copper = self.steel, replace(COPPER, viscosity=self.mould_friction)
         materials = (steel, copper, inert(DUMMY, self.density), WATER)
-        plain = Model(self.dimension, self.spacing, materials, support_ratio=self.support_ratio)
-        contact = {
-            (steel.name, copper.name): contact_conductivity(plain, self.mould_conductance),
+        films = {
+            (steel.name, copper.name): self.mould_conductance,
             (copper.name, WATER.name): 0.0,
             (WATER.name, WATER.name): 0.0,
         }
         terms = (
             Fluid(self.density, self.sound_speed),
             SummedDensity(),
-            Conduction(contact),
+            Conduction(films),
             PhaseChange(),
             Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),
         )
-        return replace(plain, terms=terms)
+        return Model(self.dimension, self.spacing, materials, terms, self.support_ratio)
 
     def build(self, executor: Executor) -> Simulation:
         machine = CastingMachine(self)

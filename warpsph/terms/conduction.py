@@ -1,12 +1,13 @@
 """Heat conduction by enthalpy."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 import warp as wp
 
-from warpsph.core.field import Field
+from warpsph.core.field import Field, Value
 from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
 from warpsph.core.model import Model
@@ -16,8 +17,11 @@ from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
+from warpsph.kernels.heat.walls import HeatWalls, count_heat, sum_heat_between_walls
+from warpsph.terms.heat_wall import HeatWall, refuse_misfits
 
 SMOOTHING_KERNEL = "poly6"
+SLACK = 0.25  # spacings by which a particle may be behind a wall and count as on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,19 +29,23 @@ class Conduction(Term):
     """Heat conduction by enthalpy (Vijaykumar 2012, chapter 3).
 
     Args:
-        contact: conductivity [W/(m K)] of pairs of two materials, by their names, in place of the harmonic mean.
+        films: conductance [W/(m^2 K)] of a film between two materials, by their names; 0 lets no heat pass.
         longest_interval: largest time between two conduction steps [s], beside the stability limit.
+        walls: planes on which temperature, film, flux or insulation is given.
+
+    Once it belongs to a simulation, ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are device arrays
+    that may be changed during a run.
     """
 
-    contact: dict[tuple[str, str], float] = field(default_factory=dict)
+    films: dict[tuple[str, str], float] = field(default_factory=dict)
     longest_interval: float = 1.0e-3
+    walls: Sequence[HeatWall] = ()
 
     def __post_init__(self) -> None:
         require(self, "longest_interval", self.longest_interval > 0.0, "positive [s]")
-        for pair, conductivity in self.contact.items():
-            require(
-                self, "contact", len(pair) == 2 and 0.0 <= conductivity < np.inf, "conductivities by pair of materials"
-            )
+        for pair, conductance in self.films.items():
+            require(self, "films", len(pair) == 2 and 0.0 <= conductance < np.inf, "conductances by pair of materials")
+        require(self, "walls", all(isinstance(wall, HeatWall) for wall in self.walls), "a tuple of HeatWall")
 
     provides = ("conduction",)
 
@@ -50,17 +58,30 @@ class Conduction(Term):
     held = Field(int, "", "whether the temperature stays and the heat is counted")
     heat_held = Field(wp.float64, "J", "heat taken while the temperature was held (per metre of depth in 2D)")
 
+    wall_conductance = Value(
+        float, "W/(m^2 K)", "conductance of each wall", start=lambda term: [wall.conductance for wall in term.walls]
+    )
+    wall_outside = Value(float, "K", "temperature behind each wall", start=lambda term: [w.outside for w in term.walls])
+    wall_flux = Value(float, "W/m^2", "heat that leaves by each wall", start=lambda term: [w.flux for w in term.walls])
+
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         enthalpy = np.zeros(len(particles))
         for index, substance in enumerate(model.materials):
             mine = fields["material"] == index
             enthalpy[mine] = substance.enthalpy(fields["temperature"][mine])
         volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
+        refuse_misfits(self.walls, model, particles.position)
         return {"enthalpy": enthalpy, "thermal_volume": volume}
 
+    def allocate(self, model: Model, state: State) -> None:
+        shape = (len(self.walls), state.count)
+        for name, dtype, scratch in (("wall_rate", float, True), ("wall_heat", wp.float64, False)):
+            if self.walls:
+                array = wp.zeros(shape, dtype=dtype, device=state.device)
+                self.arrays[name] = state.hold(f"conduction.{name}", array, scratch)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        scale = normalisation(SMOOTHING_KERNEL, model.dimension, model.support) / model.lattice.slope(SMOOTHING_KERNEL)
-        return {"table": self._table(model, state.device), "support": model.support, "scale": scale}
+        return {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
 
     def reach(self, model: Model) -> float:
         return model.support
@@ -71,13 +92,13 @@ class Conduction(Term):
         Vijaykumar (2012), equation (7.7) with zeta = 0.1 and the support H, for the conductivity that the pair has.
         """
         limits = {"longest interval": self.longest_interval}
-        contact = self._contact(model)
+        films = self._films(model)
         for a, material in enumerate(model.materials):
             capacity = float(np.min(np.diff(material.enthalpies) / np.diff(material.temperatures)))
             for b, other in enumerate(model.materials):
-                conductivity = contact[a, b]
-                if conductivity < 0.0:
-                    conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
+                conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
+                if np.isfinite(films[a, b]):
+                    conductivity = 0.5 * _harmonic(conductivity, films[a, b])
                 if conductivity > 0.0:
                     limits[f"conduction {material.name}-{other.name} (7.7)"] = (
                         0.1 * material.density * capacity * model.support**2 / conductivity
@@ -85,10 +106,12 @@ class Conduction(Term):
         return limits
 
     def sum_heat(self, launch: Launch) -> None:
-        launch(sum_heat)
+        launch(sum_heat_between_walls if self.walls else sum_heat)
 
     def add_heat(self, launch: Launch) -> None:
         launch(add_heat)
+        if self.walls:
+            launch(count_heat)
 
     def find_temperature(self, launch: Launch) -> None:
         launch(update_temperature)
@@ -102,18 +125,41 @@ class Conduction(Term):
                 f"t = {float(state.time.numpy()[0]):.6g} s"
             )
 
-    def _contact(self, model: Model) -> np.ndarray:
-        """Conductivity (materials, materials) [W/(m K)] of pairs, -1 for the harmonic mean."""
-        contact = np.full((len(model.materials),) * 2, -1.0)
-        for pair, conductivity in self.contact.items():
+    def heat_to_walls(self) -> np.ndarray:
+        """Heat (walls,) [J] that each wall has taken so far (per metre of depth in 2D).
+
+        What the ``held`` particles of a row on the wall have taken stands in ``heat_held``.
+        """
+        return self.arrays["wall_heat"].numpy().sum(axis=1)
+
+    def rate_to_walls(self) -> np.ndarray:
+        """Heat (walls,) [W] that each wall took in unit time in the last step with heat (per metre of depth in 2D)."""
+        return self.arrays["wall_rate"].numpy().sum(axis=1, dtype=float)
+
+    def _films(self, model: Model) -> np.ndarray:
+        """Conductivity (materials, materials) [W/(m K)] in series with that of a pair, infinite without a film."""
+        films = np.full((len(model.materials),) * 2, np.inf)
+        for pair, conductance in self.films.items():
             a, b = (model.index_of(name) for name in pair)
-            if contact[a, b] not in (-1.0, conductivity):
-                raise InputError(f"Conduction: contact: {pair[0]} and {pair[1]} have two different conductivities")
-            contact[a, b] = contact[b, a] = conductivity
-        return contact
+            conductivity = _film_conductivity(model, conductance)
+            if films[a, b] not in (np.inf, conductivity):
+                raise InputError(f"Conduction: films: {pair[0]} and {pair[1]} have two different conductances")
+            films[a, b] = films[b, a] = conductivity
+        return films
+
+    def _planes(self, model: Model, device: wp.Device) -> HeatWalls:
+        """The walls on the device."""
+        planes: Any = HeatWalls()
+        if self.walls:
+            planes.normal = wp.array([wall.normal for wall in self.walls], dtype=wp.vec3d, device=device)
+            planes.offset = wp.array([wall.offset for wall in self.walls], dtype=wp.float64, device=device)
+            planes.conductance, planes.outside, planes.flux = self.wall_conductance, self.wall_outside, self.wall_flux
+            planes.slack = SLACK * model.spacing
+            planes.rate, planes.taken = self.arrays["wall_rate"], self.arrays["wall_heat"]
+        return planes
 
     def _table(self, model: Model, device: wp.Device) -> ThermalTable:
-        """Enthalpy curves, melting ranges and conductivities of all materials, and of their contacts, on the device."""
+        """Enthalpy curves, melting ranges, conductivities and films of all materials, on the device."""
         nodes = max(len(m.temperatures) for m in model.materials)
         temperature, enthalpy = (np.zeros((len(model.materials), nodes)) for _ in range(2))
         for index, material in enumerate(model.materials):
@@ -123,14 +169,21 @@ class Conduction(Term):
         table: Any = ThermalTable()
         table.temperature = wp.array(temperature, dtype=float, device=device)
         table.enthalpy = wp.array(enthalpy, dtype=float, device=device)
-        table.contact = wp.array(self._contact(model), dtype=float, device=device)
+        table.film = wp.array(self._films(model), dtype=float, device=device)
+        table.support = model.support
+        table.scale = normalisation(SMOOTHING_KERNEL, model.dimension, model.support)
+        table.scale /= model.lattice.slope(SMOOTHING_KERNEL)
         for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
             setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
         return table
 
 
-def contact_conductivity(model: Model, conductance: float) -> float:
-    """Pair conductivity [W/(m K)] that gives a flat interface between two lattices this conductance [W/(m^2 K)]."""
+def _film_conductivity(model: Model, conductance: float) -> float:
+    """Conductivity [W/(m K)] in series with that of pairs that gives a flat interface of two lattices a film.
+
+    With the temperature linear in each body and a jump at the film of this ``conductance`` [W/(m^2 K)], pairs across
+    the interface then carry the exact flux in all.
+    """
     lattice = model.lattice
     return conductance * lattice.slope(SMOOTHING_KERNEL) / (2.0 * model.spacing * lattice.crossings(SMOOTHING_KERNEL))
 
