@@ -16,8 +16,8 @@ class ThermalTable:
 
     ``enthalpy`` [J/kg] and ``temperature`` [K] (materials, nodes), both rising; ``solidus``, ``liquidus`` [K],
     ``conductivity_solid``, ``conductivity_liquid`` [W/(m K)] (materials,); ``film`` (materials, materials)
-    [W/(m K)], the conductivity in series with that of a pair, infinite where there is no film. ``support`` [m] and
-    ``scale``, the normalisation, of the smoothing kernel.
+    [W/(m^2 K)], which times the distance of a pair is a conductivity in series with it; infinite where there is no
+    film. ``support`` [m] and ``scale``, the normalisation, of the smoothing kernel.
     """
 
     enthalpy: wp.array2d[float]
@@ -32,12 +32,13 @@ class ThermalTable:
 
 
 @wp.func
-def pair_conductivity(table: ThermalTable, a: int, b: int, k_a: float, k_b: float) -> float:
+def pair_conductivity(table: ThermalTable, a: int, b: int, k_a: float, k_b: float, r_squared: float) -> float:
     """Conductivity [W/(m K)] between particles of the materials a and b: harmonic mean, with the film in series."""
     k = 2.0 * k_a * k_b / (k_a + k_b + 1.0e-30)
     film = table.film[a, b]
     if not wp.isinf(film):
-        k = k * film / (k + film + 1.0e-30)
+        through_film = film * wp.sqrt(r_squared)
+        k = k * through_film / (k + through_film + 1.0e-30)
     return k
 
 
@@ -68,8 +69,9 @@ def sum_heat(
         j = index_of(entry_of(neighbours, i, k))
         if role[j] != Role.RESERVOIR:
             d = x_i - position[j]
-            k_pair = pair_conductivity(table, material[i], material[j], k_i, conductivity[j])
-            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(wp.dot(d, d), table.support)
+            r_squared = wp.dot(d, d)
+            k_pair = pair_conductivity(table, material[i], material[j], k_i, conductivity[j], r_squared)
+            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(r_squared, table.support)
     heat_rate[i] = 2.0 * table.scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass
 
 

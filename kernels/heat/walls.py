@@ -142,8 +142,9 @@ def sum_heat_between_walls(
         j = index_of(entry_of(neighbours, i, k))
         if role[j] != Role.RESERVOIR and (not near or same_side(walls, x_i, position[j])):
             d = x_i - position[j]
-            k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j])
-            weight = k_pair * thermal_volume[j] * poly6_slope(wp.dot(d, d), table.support)
+            r_squared = wp.dot(d, d)
+            k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
+            weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
             total += weight * (T_i - temperature[j])  # Vijaykumar (3.2)
     factor = 2.0 * table.scale * thermal_volume[i]
     chains = wp.where(near and role[i] != Role.RESERVOIR, count * count * count, 0)
@@ -155,21 +156,25 @@ def sum_heat_between_walls(
             j = int(i)  # last of all its own image
             if k < neighbours.count[i]:
                 j = index_of(entry_of(neighbours, i, k))
-            k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j])
-            if role[j] != Role.RESERVOIR and k_pair > 0.0 and same_side(walls, x_i, position[j]):
+            if role[j] != Role.RESERVOIR and same_side(walls, x_i, position[j]):
                 d = x_i - position[j]
                 r_squared = wp.dot(d, d)
-                T = float(temperature[j])
-                drops = wp.vec3(0.0, 0.0, 0.0)
+                d_j = wp.vec3(0.0, 0.0, 0.0)
                 for m in range(3):
                     if chain[m] >= 0:
-                        d_j = wp.max(height(walls, chain[m], position[j]), 0.0)
-                        r_squared += 4.0 * wp.max(height(walls, chain[m], x_i), 0.0) * d_j
-                        drops[m] = drop_across(walls, chain[m], T, d_j, k_pair)
-                        T -= drops[m]
-                weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
-                total += weight * (T_i - T)
-                taken -= weight * drops
+                        d_j[m] = wp.max(height(walls, chain[m], position[j]), 0.0)
+                        r_squared += 4.0 * wp.max(height(walls, chain[m], x_i), 0.0) * d_j[m]
+                k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
+                if k_pair > 0.0:
+                    T = float(temperature[j])
+                    drops = wp.vec3(0.0, 0.0, 0.0)
+                    for m in range(3):
+                        if chain[m] >= 0:
+                            drops[m] = drop_across(walls, chain[m], T, d_j[m], k_pair)
+                            T -= drops[m]
+                    weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
+                    total += weight * (T_i - T)
+                    taken -= weight * drops
         for m in range(3):
             if chain[m] >= 0:
                 walls.rate[chain[m], me] += factor * taken[m]

@@ -98,7 +98,7 @@ class Conduction(Term):
             for b, other in enumerate(model.materials):
                 conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
                 if np.isfinite(films[a, b]):
-                    conductivity = 0.5 * _harmonic(conductivity, films[a, b])
+                    conductivity = 0.5 * _harmonic(conductivity, films[a, b] * model.support)
                 if conductivity > 0.0:
                     limits[f"conduction {material.name}-{other.name} (7.7)"] = (
                         0.1 * material.density * capacity * model.support**2 / conductivity
@@ -137,14 +137,18 @@ class Conduction(Term):
         return self.arrays["wall_rate"].numpy().sum(axis=1, dtype=float)
 
     def _films(self, model: Model) -> np.ndarray:
-        """Conductivity (materials, materials) [W/(m K)] in series with that of a pair, infinite without a film."""
-        films = np.full((len(model.materials),) * 2, np.inf)
+        """Conductivity over distance (materials, materials) [W/(m^2 K)] in series with a pair, infinite without a film.
+
+        Two lattices of one temperature each, with a film that hinders more than they do, then exchange the exact heat
+        through a flat interface: pairs at an angle to it are longer than their way across.
+        """
+        lattice, films = model.lattice, np.full((len(model.materials),) * 2, np.inf)
+        straight = 0.5 * lattice.slope(SMOOTHING_KERNEL) / lattice.detour(SMOOTHING_KERNEL)
         for pair, conductance in self.films.items():
             a, b = (model.index_of(name) for name in pair)
-            conductivity = _film_conductivity(model, conductance)
-            if films[a, b] not in (np.inf, conductivity):
+            if films[a, b] not in (np.inf, conductance * straight):
                 raise InputError(f"Conduction: films: {pair[0]} and {pair[1]} have two different conductances")
-            films[a, b] = films[b, a] = conductivity
+            films[a, b] = films[b, a] = conductance * straight
         return films
 
     def _planes(self, model: Model, device: wp.Device) -> HeatWalls:
@@ -176,16 +180,6 @@ class Conduction(Term):
         for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
             setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
         return table
-
-
-def _film_conductivity(model: Model, conductance: float) -> float:
-    """Conductivity [W/(m K)] in series with that of pairs that gives a flat interface of two lattices a film.
-
-    With the temperature linear in each body and a jump at the film of this ``conductance`` [W/(m^2 K)], pairs across
-    the interface then carry the exact flux in all.
-    """
-    lattice = model.lattice
-    return conductance * lattice.slope(SMOOTHING_KERNEL) / (2.0 * model.spacing * lattice.crossings(SMOOTHING_KERNEL))
 
 
 def _highest_conductivity(material: Material) -> float:
