@@ -36,7 +36,7 @@ def pair_conductivity(table: ThermalTable, a: int, b: int, k_a: float, k_b: floa
     """Conductivity [W/(m K)] between particles of the materials a and b: harmonic mean, with the film in series."""
     k = 2.0 * k_a * k_b / (k_a + k_b + 1.0e-30)
     film = table.film[a, b]
-    if not wp.isinf(film):
+    if film < wp.inf:
         through_film = film * wp.sqrt(r_squared)
         k = k * through_film / (k + through_film + 1.0e-30)
     return k

@@ -17,7 +17,8 @@ class HeatWalls:
     ``normal``, ``offset`` (walls,); ``conductance`` [W/(m^2 K)], infinite where the temperature is given, and
     ``outside`` [K], ``flux`` [W/m^2] out of the body, (walls,); ``slack`` [m], by how much a particle may be behind a
     plane and still be taken to stand on it. ``rate`` (walls, n) [W] and ``taken`` (walls, n) [J], by the ids of the
-    particles: what each wall takes from each of them, in unit time and so far.
+    particles: what each wall takes from each of them, in unit time and so far. ``near`` and ``behind`` (n,), a bit for
+    each plane: which stand within the support of a particle, and which ones it is behind.
     """
 
     normal: wp.array[wp.vec3d]
@@ -28,6 +29,8 @@ class HeatWalls:
     slack: float
     rate: wp.array2d[float]
     taken: wp.array2d[wp.float64]
+    near: wp.array[int]
+    behind: wp.array[int]
 
 
 @wp.func
@@ -39,33 +42,8 @@ def height(walls: HeatWalls, p: int, x: wp.vec3) -> float:
 
 
 @wp.func
-def near_a_plane(walls: HeatWalls, x: wp.vec3, support: float) -> bool:
-    """Whether a plane stands within the support of ``x``, before or behind it."""
-    near = bool(False)
-    for p in range(walls.offset.shape[0]):
-        near = near or wp.abs(height(walls, p, x)) < support
-    return near
-
-
-@wp.func
-def same_side(walls: HeatWalls, x: wp.vec3, y: wp.vec3) -> bool:
-    """Whether no plane stands between ``x`` and ``y``."""
-    same = bool(True)
-    for p in range(walls.offset.shape[0]):
-        same = same and (height(walls, p, x) < -walls.slack) == (height(walls, p, y) < -walls.slack)
-    return same
-
-
-@wp.func
-def mirrors(walls: HeatWalls, p: int, x: wp.vec3, support: float) -> bool:
-    """Whether plane p shows ``x`` an image of its neighbours."""
-    h = height(walls, p, x)
-    return h >= -walls.slack and h < support
-
-
-@wp.func
-def chain_of(walls: HeatWalls, number: int, x: wp.vec3, support: float) -> wp.vec3i:
-    """One, two or three planes that show ``x`` images, in rising order of their conductance; -1 stands for none.
+def chain_of(walls: HeatWalls, number: int, mirrors: int) -> wp.vec3i:
+    """One, two or three of the planes ``mirrors`` (bits), in rising order of their conductance; -1 stands for none.
 
     Every set of planes has one ``number`` below the cube of their count; other numbers give no plane at all.
     """
@@ -73,9 +51,8 @@ def chain_of(walls: HeatWalls, number: int, x: wp.vec3, support: float) -> wp.ve
     p = number // (count * count)
     q = (number // count) % count
     r = number % count
-    if q < p or r < q or (q == p and r > q) or not mirrors(walls, p, x, support):
-        return wp.vec3i(-1, -1, -1)
-    if (q > p and not mirrors(walls, q, x, support)) or (r > q and not mirrors(walls, r, x, support)):
+    of_mirrors = (mirrors >> p) & (mirrors >> q) & (mirrors >> r) & 1
+    if q < p or r < q or (q == p and r > q) or of_mirrors == 0:
         return wp.vec3i(-1, -1, -1)
     if q > p and walls.conductance[q] < walls.conductance[p]:
         softer, stiffer = q, p
@@ -100,13 +77,29 @@ def drop_across(walls: HeatWalls, p: int, T: float, d: float, k: float) -> float
     """
     h = walls.conductance[p]
     share = float(2.0)
-    if not wp.isinf(h):
+    if h < wp.inf:
         share = 2.0 * d * h / (d * h + k)
     return share * (T - walls.outside[p]) + 2.0 * d * walls.flux[p] / k
 
 
 @wp.kernel
-def sum_heat_between_walls(
+def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position: wp.array[wp.vec3], id: wp.array[int]):
+    """Write ``walls.near`` and ``walls.behind`` (n,), and set ``walls.rate`` (walls, n) to zero."""
+    i = wp.tid() + first
+    near, behind = int(0), int(0)
+    for p in range(walls.offset.shape[0]):
+        h = height(walls, p, position[i])
+        if wp.abs(h) < table.support:
+            near |= 1 << p
+        if h < -walls.slack:
+            behind |= 1 << p
+        walls.rate[p, id[i]] = 0.0
+    walls.near[i] = near
+    walls.behind[i] = behind
+
+
+@wp.kernel
+def add_heat_of_images(
     first: int,
     table: ThermalTable,
     neighbours: NeighbourList,
@@ -120,71 +113,72 @@ def sum_heat_between_walls(
     id: wp.array[int],
     heat_rate: wp.array[float],
 ):
-    """Write the heat that flows into each particle, ``heat_rate`` (n,) [W], and what each wall takes of it.
+    """Add to ``heat_rate`` (n,) [W] what the images behind walls give, and take away what came across a wall.
 
-    As :func:`warpsph.kernels.heat.conduction.sum_heat`, and the same sum over the images of the particles, their own
-    among them, in one plane, in two and in three at right angles (method of images). The distance to an image is
+    The sum of :func:`warpsph.kernels.heat.conduction.sum_heat` goes over the images of the particles, their own among
+    them, in one plane, in two and in three at right angles (method of images). The distance to an image is
     r'^2 = r^2 + 4 d_i d_j for each plane, d the distances from it; no image is nearer than the particle itself, so the
     list of neighbours has all. What a particle would give to the other one's image is antisymmetric in the pair; the
     walls take what the image is colder. An image in several planes is that of an image: softest planes first, because
     a wall of given temperature turns the sign of a flux behind it.
     """
     i = wp.tid() + first
+    near = walls.near[i]
+    if near == 0 or role[i] == Role.RESERVOIR:
+        return
     x_i = position[i]
     T_i = temperature[i]
-    me = id[i]
-    count = walls.offset.shape[0]
-    for p in range(count):
-        walls.rate[p, me] = 0.0
     total = float(0.0)
-    near = near_a_plane(walls, x_i, table.support)
     for k in range(neighbours.count[i]):
         j = index_of(entry_of(neighbours, i, k))
-        if role[j] != Role.RESERVOIR and (not near or same_side(walls, x_i, position[j])):
+        if role[j] != Role.RESERVOIR and (walls.behind[i] ^ walls.behind[j]) & near != 0:
             d = x_i - position[j]
             r_squared = wp.dot(d, d)
             k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
             weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
-            total += weight * (T_i - temperature[j])  # Vijaykumar (3.2)
+            total -= weight * (T_i - temperature[j])
     factor = 2.0 * table.scale * thermal_volume[i]
-    chains = wp.where(near and role[i] != Role.RESERVOIR, count * count * count, 0)
+    count = walls.offset.shape[0]
+    mirrors = near & ~walls.behind[i]
+    chains = wp.where(mirrors != 0, count * count * count, 0)
     for number in range(chains):
-        chain = chain_of(walls, number, x_i, table.support)
+        chain = chain_of(walls, number, mirrors)
         sweep = wp.where(chain[0] >= 0, neighbours.count[i] + 1, 0)
+        d_i, normals = wp.vec3(0.0, 0.0, 0.0), wp.mat33(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        for m in range(3):
+            if chain[m] >= 0:
+                d_i[m] = height(walls, chain[m], x_i)
+                for axis in range(3):
+                    normals[m, axis] = float(walls.normal[chain[m]][axis])
         taken = wp.vec3(0.0, 0.0, 0.0)
         for k in range(sweep):
             j = int(i)  # last of all its own image
             if k < neighbours.count[i]:
                 j = index_of(entry_of(neighbours, i, k))
-            if role[j] != Role.RESERVOIR and same_side(walls, x_i, position[j]):
-                d = x_i - position[j]
-                r_squared = wp.dot(d, d)
-                d_j = wp.vec3(0.0, 0.0, 0.0)
-                for m in range(3):
-                    if chain[m] >= 0:
-                        d_j[m] = wp.max(height(walls, chain[m], position[j]), 0.0)
-                        r_squared += 4.0 * wp.max(height(walls, chain[m], x_i), 0.0) * d_j[m]
+            d = x_i - position[j]
+            d_j = wp.max(d_i - normals * d, wp.vec3(0.0, 0.0, 0.0))
+            r_squared = wp.dot(d, d) + 4.0 * wp.dot(wp.max(d_i, wp.vec3(0.0, 0.0, 0.0)), d_j)
+            if r_squared < table.support * table.support and (walls.behind[i] ^ walls.behind[j]) & near == 0:
                 k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
-                if k_pair > 0.0:
+                if k_pair > 0.0 and role[j] != Role.RESERVOIR:
+                    weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
                     T = float(temperature[j])
-                    drops = wp.vec3(0.0, 0.0, 0.0)
                     for m in range(3):
                         if chain[m] >= 0:
-                            drops[m] = drop_across(walls, chain[m], T, d_j[m], k_pair)
-                            T -= drops[m]
-                    weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
-                    total += weight * (T_i - T)
-                    taken -= weight * drops
+                            drop = drop_across(walls, chain[m], T, d_j[m], k_pair)
+                            taken[m] = taken[m] - weight * drop
+                            T -= drop
+                    total += weight * (T_i - T)  # Vijaykumar (3.2)
         for m in range(3):
             if chain[m] >= 0:
-                walls.rate[chain[m], me] += factor * taken[m]
-    heat_rate[i] = factor * total
+                walls.rate[chain[m], id[i]] += factor * taken[m]
+    heat_rate[i] += factor * total
 
 
 @wp.kernel
-def count_heat(first: int, interval: float, walls: HeatWalls, id: wp.array[int]):
-    """Add what each wall takes of each particle in ``interval`` [s] to ``walls.taken``."""
-    me = id[wp.tid() + first]
+def count_heat(first: int, interval: float, walls: HeatWalls):
+    """Add what walls take in ``interval`` [s] to ``walls.taken``."""
+    me = wp.tid() + first
     for p in range(walls.offset.shape[0]):
         if walls.rate[p, me] != 0.0:
             walls.taken[p, me] += wp.float64(walls.rate[p, me] * interval)

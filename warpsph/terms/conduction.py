@@ -17,10 +17,11 @@ from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
-from warpsph.kernels.heat.walls import HeatWalls, count_heat, sum_heat_between_walls
+from warpsph.kernels.heat.walls import HeatWalls, add_heat_of_images, count_heat, find_walls_near
 from warpsph.terms.heat_wall import HeatWall, refuse_misfits
 
 SMOOTHING_KERNEL = "poly6"
+MOST_WALLS = 30  # a bit each
 SLACK = 0.25  # spacings by which a particle may be behind a wall and count as on it
 
 
@@ -46,6 +47,7 @@ class Conduction(Term):
         for pair, conductance in self.films.items():
             require(self, "films", len(pair) == 2 and 0.0 <= conductance < np.inf, "conductances by pair of materials")
         require(self, "walls", all(isinstance(wall, HeatWall) for wall in self.walls), "a tuple of HeatWall")
+        require(self, "walls", len(self.walls) <= MOST_WALLS, f"{MOST_WALLS} at most")
 
     provides = ("conduction",)
 
@@ -74,11 +76,12 @@ class Conduction(Term):
         return {"enthalpy": enthalpy, "thermal_volume": volume}
 
     def allocate(self, model: Model, state: State) -> None:
-        shape = (len(self.walls), state.count)
-        for name, dtype, scratch in (("wall_rate", float, True), ("wall_heat", wp.float64, False)):
+        n = state.count
+        arrays = {"wall_rate": ((len(self.walls), n), float), "wall_heat": ((len(self.walls), n), wp.float64)}
+        for name, (shape, dtype) in (arrays | {"near_walls": (n, int), "behind_walls": (n, int)}).items():
             if self.walls:
                 array = wp.zeros(shape, dtype=dtype, device=state.device)
-                self.arrays[name] = state.hold(f"conduction.{name}", array, scratch)
+                self.arrays[name] = state.hold(f"conduction.{name}", array, scratch=name != "wall_heat")
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
@@ -106,7 +109,10 @@ class Conduction(Term):
         return limits
 
     def sum_heat(self, launch: Launch) -> None:
-        launch(sum_heat_between_walls if self.walls else sum_heat)
+        launch(sum_heat)
+        if self.walls:
+            launch(find_walls_near)
+            launch(add_heat_of_images)
 
     def add_heat(self, launch: Launch) -> None:
         launch(add_heat)
@@ -160,6 +166,7 @@ class Conduction(Term):
             planes.conductance, planes.outside, planes.flux = self.wall_conductance, self.wall_outside, self.wall_flux
             planes.slack = SLACK * model.spacing
             planes.rate, planes.taken = self.arrays["wall_rate"], self.arrays["wall_heat"]
+            planes.near, planes.behind = self.arrays["near_walls"], self.arrays["behind_walls"]
         return planes
 
     def _table(self, model: Model, device: wp.Device) -> ThermalTable:
