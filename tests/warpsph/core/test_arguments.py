@@ -16,6 +16,7 @@ from warpsph.terms import (
     Conduction,
     Elasticity,
     Fluid,
+    HeatWall,
     PhaseChange,
     SurfaceTension,
 )
@@ -32,7 +33,16 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: PhaseChange(0.4, 0.5), "PhaseChange: melt_below"),
     (lambda: PhaseChange(1.5), "PhaseChange: freeze_above"),
     (lambda: Conduction(longest_interval=0.0), "Conduction: longest_interval"),
-    (lambda: Conduction({("water", "water"): -1.0}), "Conduction: contact"),
+    (lambda: Conduction({("water", "water"): -1.0}), "Conduction: films"),
+    (lambda: Conduction(walls=((1.0, 0.0, 0.0),)), "Conduction: walls"),
+    *(
+        (lambda n=n: HeatWall.insulated(n, 0.0), "HeatWall: normal")
+        for n in ((1.0, 1.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0), (NAN, 0.0, 0.0))
+    ),
+    *((lambda x=x: HeatWall.insulated((1.0, 0.0, 0.0), x), "HeatWall: offset") for x in (NAN, INFINITE)),
+    *((lambda h=h: HeatWall.film((1.0, 0.0, 0.0), 0.0, h, 300.0), "HeatWall: conductance") for h in (-1.0, NAN)),
+    *((lambda T=T: HeatWall.at_temperature((1.0, 0.0, 0.0), 0.0, T), "HeatWall: outside") for T in (NAN, INFINITE)),
+    *((lambda q=q: HeatWall.given_flux((1.0, 0.0, 0.0), 0.0, q), "HeatWall: flux") for q in (NAN, INFINITE)),
     (lambda: SurfaceTension(-1.0), "SurfaceTension: coefficient"),
     (lambda: ColourFieldTension(NAN), "ColourFieldTension: coefficient"),
     (lambda: Model(4, 0.1, WATER), "Model: dimension"),
