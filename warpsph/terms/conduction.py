@@ -18,11 +18,10 @@ from warpsph.errors import DivergenceError, InputError, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
 from warpsph.kernels.heat.walls import HeatWalls, add_heat_of_images, count_heat, find_walls_near
-from warpsph.terms.heat_wall import HeatWall, refuse_misfits
+from warpsph.terms.heat_wall import SLACK, HeatWall, refuse_misfits
 
 SMOOTHING_KERNEL = "poly6"
 MOST_WALLS = 30  # a bit each
-SLACK = 0.25  # spacings by which a particle may be behind a wall and count as on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,12 +75,15 @@ class Conduction(Term):
         return {"enthalpy": enthalpy, "thermal_volume": volume}
 
     def allocate(self, model: Model, state: State) -> None:
-        n = state.count
-        arrays = {"wall_rate": ((len(self.walls), n), float), "wall_heat": ((len(self.walls), n), wp.float64)}
-        for name, (shape, dtype) in (arrays | {"near_walls": (n, int), "behind_walls": (n, int)}).items():
-            if self.walls:
-                array = wp.zeros(shape, dtype=dtype, device=state.device)
-                self.arrays[name] = state.hold(f"conduction.{name}", array, scratch=name != "wall_heat")
+        def hold(name: str, dtype: type, *shape: int) -> None:
+            array = wp.zeros(shape, dtype=dtype, device=state.device)
+            self.arrays[name] = state.hold(f"conduction.{name}", array, scratch=name != "wall_heat")
+
+        if self.walls:
+            hold("wall_heat", wp.float64, len(self.walls), state.count)
+            hold("wall_rate", float, len(self.walls), state.count)
+            hold("near_walls", int, state.count)
+            hold("behind_walls", int, state.count)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}

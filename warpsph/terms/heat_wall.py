@@ -9,9 +9,10 @@ from warpsph.core.model import Model
 from warpsph.errors import InputError, require
 
 PERPENDICULAR = 1.0e-3  # largest cosine between planes whose images are those of a corner
+SLACK = 0.25  # spacings by which a particle may be behind a wall and count as on it
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class HeatWall:
     """A plane with a body before it; ``q = conductance (T_surface - outside) + flux`` leaves the body there.
 
@@ -70,12 +71,16 @@ class HeatWall:
 def cut_cells(points: np.ndarray, walls: Sequence[HeatWall], spacing: float, dimension: int) -> np.ndarray:
     """Volumes (n,) [m^3, or m^2 in 2D] of the cells around ``points`` (n, 3), as far as they are before the walls.
 
-    For lattices along the walls: half a cell where a row stands on one of them, a quarter where on two. Points behind
-    a wall have none.
+    For lattices along the walls: half a cell where a row stands on one of them, a quarter where on two.
+
+    Raises:
+        InputError: a cell is all behind a wall.
     """
     volume = np.full(len(points), spacing**dimension)
     for wall in walls:
         volume *= np.clip(0.5 + wall.height(points) / spacing, 0.0, 1.0)
+    if outside := int(np.sum(volume <= 0.0)):
+        raise InputError(f"cut_cells: {outside} of {len(points)} cells are all behind a wall; leave them out")
     return volume
 
 
@@ -111,4 +116,4 @@ def _refuse_narrow(wall: HeatWall, other: HeatWall, cosine: float, support: floa
 def _near(wall: HeatWall, points: np.ndarray, model: Model) -> np.ndarray:
     """Which points (n,) see images behind a wall."""
     height = wall.height(points)
-    return (height > -0.25 * model.spacing) & (height < model.support)
+    return (height > -SLACK * model.spacing) & (height < model.support)

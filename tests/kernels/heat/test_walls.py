@@ -194,6 +194,19 @@ def test_walls_may_change_during_a_run(device):
     assert conduction.heat_to_walls()[0] == pytest.approx(1.0e4 * 0.06 * 20.0, rel=1e-4)
 
 
+def test_a_row_on_a_wall_that_is_not_held_takes_its_temperature(device):
+    """One who forgets to hold it would see it run away: nothing stands between it and the wall."""
+    walls = [HeatWall.at_temperature(X, 0.0, 300.0), HeatWall.insulated(-X, -0.1), *insulation((0.1, 0.06))]
+    x = lattice((-0.005, 0.0), (0.095, 0.06), SPACING)
+    particles = Particles()
+    particles.add(x, Role.FREE, temperature=400.0, volume=cut_cells(x, walls, SPACING, 2))
+    conduction = Conduction(longest_interval=1e9, walls=walls)
+    model = Model(2, SPACING, (STUFF,), (conduction,), gravity=(0.0, 0.0, 0.0))
+    result = Simulation(Executor(device), model, particles).run(200.0, 200.0)
+    assert result.fields["temperature"][x[:, 0] < 1e-6] == pytest.approx(300.0, abs=0.1)
+    assert np.all((result.fields["temperature"] > 299.9) & (result.fields["temperature"] < 400.1))
+
+
 def test_far_from_the_origin(device):
     """A wall at 100 m that lost its place to rounding would conduct otherwise than one at the origin.
 
@@ -250,7 +263,9 @@ def test_cells_are_cut_by_walls():
     """Rows on walls with whole cells would conduct and store twice their heat."""
     walls = [HeatWall.insulated(X, 0.0), HeatWall.insulated((0.0, 1.0, 0.0), 0.0)]
     points = np.array([[0.0, 0.0, 0.0], [0.0, 0.5, 0.0], [0.5, 0.5, 0.0], [-1.0, 0.5, 0.0]])
-    assert cut_cells(points, walls, 1.0, 2) == pytest.approx([0.25, 0.5, 1.0, 0.0])
+    assert cut_cells(points[:3], walls, 1.0, 2) == pytest.approx([0.25, 0.5, 1.0])
+    with pytest.raises(InputError, match="1 of 4 cells are all behind"):
+        cut_cells(points, walls, 1.0, 2)
 
 
 @pytest.mark.parametrize(
@@ -268,5 +283,5 @@ def test_cells_are_cut_by_walls():
 def test_walls_whose_images_would_be_wrong_are_refused(walls, words):
     """Their images would give heat that nobody has asked for."""
     with pytest.raises(InputError, match=words) as caught:
-        box("cpu", (0.1, 0.06), walls)
+        box("cpu", (0.02, 0.06), walls)
     assert "\n" not in str(caught.value)
