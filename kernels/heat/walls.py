@@ -42,18 +42,38 @@ def height(walls: HeatWalls, p: int, x: wp.vec3) -> float:
 
 
 @wp.func
+def how_many(planes: int) -> int:
+    """Number of bits in ``planes``."""
+    count = int(0)
+    while planes != 0:
+        planes = planes & (planes - 1)
+        count += 1
+    return count
+
+
+@wp.func
+def plane_of(planes: int, rank: int) -> int:
+    """The plane whose bit in ``planes`` has ``rank`` others below it."""
+    p = int(0)
+    while (planes >> p) & 1 == 0 or rank > 0:
+        rank -= (planes >> p) & 1
+        p += 1
+    return p
+
+
+@wp.func
 def chain_of(walls: HeatWalls, number: int, mirrors: int) -> wp.vec3i:
     """One, two or three of the planes ``mirrors`` (bits), in rising order of their conductance; -1 stands for none.
 
     Every set of planes has one ``number`` below the cube of their count; other numbers give no plane at all.
     """
-    count = walls.offset.shape[0]
-    p = number // (count * count)
-    q = (number // count) % count
-    r = number % count
-    of_mirrors = (mirrors >> p) & (mirrors >> q) & (mirrors >> r) & 1
-    if q < p or r < q or (q == p and r > q) or of_mirrors == 0:
+    count = how_many(mirrors)
+    first = number // (count * count)
+    second = (number // count) % count
+    third = number % count
+    if second < first or third < second or (second == first and third > second):
         return wp.vec3i(-1, -1, -1)
+    p, q, r = plane_of(mirrors, first), plane_of(mirrors, second), plane_of(mirrors, third)
     if q > p and walls.conductance[q] < walls.conductance[p]:
         softer, stiffer = q, p
     else:
@@ -138,9 +158,9 @@ def add_heat_of_images(
             weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
             total -= weight * (T_i - temperature[j])
     factor = 2.0 * table.scale * thermal_volume[i]
-    count = walls.offset.shape[0]
     mirrors = near & ~walls.behind[i]
-    chains = wp.where(mirrors != 0, count * count * count, 0)
+    count = how_many(mirrors)
+    chains = count * count * count
     for number in range(chains):
         chain = chain_of(walls, number, mirrors)
         sweep = wp.where(chain[0] >= 0, neighbours.count[i] + 1, 0)
