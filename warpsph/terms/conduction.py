@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from warpsph.core.field import Field, Value
+from warpsph.core.field import Field
 from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
 from warpsph.core.model import Model
@@ -33,8 +33,8 @@ class Conduction(Term):
         longest_interval: largest time between two conduction steps [s], beside the stability limit.
         walls: planes on which temperature, film, flux or insulation is given.
 
-    Once it belongs to a simulation, ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are device arrays
-    that may be changed during a run.
+    One with walls belongs to one simulation; ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are then
+    device arrays that may be changed during a run.
     """
 
     films: dict[tuple[str, str], float] = field(default_factory=dict)
@@ -59,12 +59,6 @@ class Conduction(Term):
     held = Field(int, "", "whether the temperature stays and the heat is counted")
     heat_held = Field(wp.float64, "J", "heat taken while the temperature was held (per metre of depth in 2D)")
 
-    wall_conductance = Value(
-        float, "W/(m^2 K)", "conductance of each wall", start=lambda term: [wall.conductance for wall in term.walls]
-    )
-    wall_outside = Value(float, "K", "temperature behind each wall", start=lambda term: [w.outside for w in term.walls])
-    wall_flux = Value(float, "W/m^2", "heat that leaves by each wall", start=lambda term: [w.flux for w in term.walls])
-
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         enthalpy = np.zeros(len(particles))
         for index, substance in enumerate(model.materials):
@@ -75,15 +69,21 @@ class Conduction(Term):
         return {"enthalpy": enthalpy, "thermal_volume": volume}
 
     def allocate(self, model: Model, state: State) -> None:
-        def hold(name: str, dtype: type, *shape: int) -> None:
-            array = wp.zeros(shape, dtype=dtype, device=state.device)
-            self.arrays[name] = state.hold(f"conduction.{name}", array, scratch=name != "wall_heat")
+        def hold(name: str, array: wp.array, scratch: bool = False) -> None:
+            self.arrays[name] = state.hold(f"conduction.{name}", array, scratch)
 
-        if self.walls:
-            hold("wall_heat", wp.float64, len(self.walls), state.count)
-            hold("wall_rate", float, len(self.walls), state.count)
-            hold("near_walls", int, state.count)
-            hold("behind_walls", int, state.count)
+        if not self.walls:
+            return
+        if self.arrays:
+            raise InputError("this Conduction belongs to another simulation already; make a new one")
+        for name in ("conductance", "outside", "flux"):
+            given = [getattr(wall, name) for wall in self.walls]
+            hold(f"wall_{name}", wp.array(given, dtype=float, device=state.device))
+        each = (len(self.walls), state.count)
+        hold("wall_heat", wp.zeros(each, dtype=wp.float64, device=state.device))
+        hold("wall_rate", wp.zeros(each, dtype=float, device=state.device), scratch=True)
+        for name in ("near_walls", "behind_walls"):
+            hold(name, wp.zeros(state.count, dtype=int, device=state.device), scratch=True)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
@@ -132,6 +132,21 @@ class Conduction(Term):
                 f"the enthalpy of particle {state.numpy('id')[bad[0]]} at ({place}) m is not a number before "
                 f"t = {float(state.time.numpy()[0]):.6g} s"
             )
+
+    @property
+    def wall_conductance(self) -> wp.array:
+        """Conductance (walls,) [W/(m^2 K)] of each wall."""
+        return self.arrays["wall_conductance"]
+
+    @property
+    def wall_outside(self) -> wp.array:
+        """Temperature (walls,) [K] of each wall, or behind its film."""
+        return self.arrays["wall_outside"]
+
+    @property
+    def wall_flux(self) -> wp.array:
+        """Flux (walls,) [W/m^2] that leaves by each wall, beside what passes its film."""
+        return self.arrays["wall_flux"]
 
     def heat_to_walls(self) -> np.ndarray:
         """Heat (walls,) [J] that each wall has taken so far (per metre of depth in 2D).

@@ -194,6 +194,15 @@ def test_walls_may_change_during_a_run(device):
     assert conduction.heat_to_walls()[0] == pytest.approx(1.0e4 * 0.06 * 20.0, rel=1e-4)
 
 
+def test_walls_belong_to_one_simulation():
+    """Two simulations would count into the same ledger."""
+    simulation, _ = box("cpu", (0.1, 0.06), [HeatWall.insulated(X, 0.0)])
+    particles = Particles()
+    particles.add(np.zeros((1, 3)), Role.FREE)
+    with pytest.raises(InputError, match="belongs to another simulation"):
+        Simulation(Executor("cpu", 1), simulation.model, particles)
+
+
 def test_a_row_on_a_wall_that_is_not_held_takes_its_temperature(device):
     """One who forgets to hold it would see it run away: nothing stands between it and the wall."""
     walls = [HeatWall.at_temperature(X, 0.0, 300.0), HeatWall.insulated(-X, -0.1), *insulation((0.1, 0.06))]
