@@ -203,6 +203,35 @@ def heat_gaussian(picture: Path) -> None:
 
 
 @figure
+def heat_slab(picture: Path) -> None:
+    """Temperature through a slab with two kinds of walls at some times, and the error against the number of rows."""
+    kind = find_scenario("heat_slab")
+    drawing, axes = plt.subplots(1, 3, figsize=(12, 4), layout="constrained")
+    for panel, preset, title in zip(axes, ("flux", "film"), ("flux | temperature", "insulation | film"), strict=False):
+        case = resolve(kind, [preset_layer(kind, preset)])
+        result, x = simulated("heat_slab", preset), np.linspace(0.0, case.thickness, 200)
+        for k, time in enumerate((20.0, 60.0, 200.0)):
+            position, fields = result.frame(result.nearest(time))
+            row = position[:, 1] < case.spacing
+            panel.plot(
+                1e3 * position[row, 0], fields["temperature"][row], "o", ms=4, color=f"C{k}", label=f"{time:g} s"
+            )
+            panel.plot(1e3 * x, case.exact.temperature(x, time), "k-", lw=0.8)
+        panel.set(xlabel="x [mm]", ylabel="temperature [K]", title=title)
+        panel.legend(frameon=False)
+    rows = np.array([10, 20, 40])
+    for label, settings in (("rows before the walls", ()), ("rows on the walls", ("row_on_wall=true",))):
+        runs = [simulated("heat_slab", None, f"rows={n}", *settings) for n in rows]
+        axes[2].loglog(rows, [run.diagnostics["largest_error"][-1] for run in runs], "o-", label=label)
+    axes[2].loglog(rows, 3e-3 * (10.0 / rows) ** 2, "k--", lw=0.8, label="second order")
+    axes[2].set(xlabel="rows", ylabel="largest error at 200 s", xticks=rows, xticklabels=["10", "20", "40"])
+    axes[2].minorticks_off()
+    axes[2].legend(frameon=False)
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
 def dam_break(picture: Path) -> None:
     """The collapse at four times, coloured by temperature."""
     render_series(simulated("dam_break"), picture, [0.0, 0.2, 0.4, 0.8], field="temperature")

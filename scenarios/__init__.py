@@ -3,6 +3,7 @@
 from warpsph.scenarios.breakout.breakout import Breakout
 from warpsph.scenarios.casting.casting import Casting
 from warpsph.scenarios.conduction.heat_gaussian import HeatGaussian
+from warpsph.scenarios.conduction.heat_slab import HeatSlab
 from warpsph.scenarios.elastic.cantilever import Cantilever
 from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
 from warpsph.scenarios.elastic.rubber_rings import RubberRings
@@ -17,6 +18,7 @@ __all__ = [
     "DamBreak",
     "Drop",
     "HeatGaussian",
+    "HeatSlab",
     "Hydrostatic",
     "RotatedDisc",
     "RubberRings",

@@ -12,11 +12,12 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 @wp.struct
 class ThermalTable:
-    """Per material: enthalpy curve, melting range and conductivities; per pair of materials: contact conductivity.
+    """Per material: enthalpy curve, melting range and conductivities; per pair of materials: the film between them.
 
     ``enthalpy`` [J/kg] and ``temperature`` [K] (materials, nodes), both rising; ``solidus``, ``liquidus`` [K],
-    ``conductivity_solid``, ``conductivity_liquid`` [W/(m K)] (materials,); ``contact`` (materials, materials)
-    [W/(m K)], the conductivity of a pair, or negative for the harmonic mean of the two particles.
+    ``conductivity_solid``, ``conductivity_liquid`` [W/(m K)] (materials,); ``film`` (materials, materials)
+    [W/(m^2 K)], which times the distance of a pair is a conductivity in series with it; infinite where there is no
+    film. ``support`` [m] and ``scale``, the normalisation, of the smoothing kernel.
     """
 
     enthalpy: wp.array2d[float]
@@ -25,7 +26,20 @@ class ThermalTable:
     liquidus: wp.array[float]
     conductivity_solid: wp.array[float]
     conductivity_liquid: wp.array[float]
-    contact: wp.array2d[float]
+    film: wp.array2d[float]
+    support: float
+    scale: float
+
+
+@wp.func
+def pair_conductivity(table: ThermalTable, a: int, b: int, k_a: float, k_b: float, r_squared: float) -> float:
+    """Conductivity [W/(m K)] between particles of the materials a and b: harmonic mean, with the film in series."""
+    k = 2.0 * k_a * k_b / (k_a + k_b + 1.0e-30)
+    film = table.film[a, b]
+    if film < wp.inf:
+        through_film = film * wp.sqrt(r_squared)
+        k = k * through_film / (k + through_film + 1.0e-30)
+    return k
 
 
 @wp.kernel
@@ -33,8 +47,6 @@ def sum_heat(
     first: int,
     table: ThermalTable,
     neighbours: NeighbourList,
-    support: float,
-    scale: float,
     position: wp.array[wp.vec3],
     role: wp.array[int],
     temperature: wp.array[float],
@@ -46,8 +58,7 @@ def sum_heat(
     """Write the heat that flows into each particle, ``heat_rate`` (n,) [W] (per metre of depth in 2D).
 
     Vijaykumar (2012), equation (3.2), with the harmonic mean of the conductivities [W/(m K)]; antisymmetric in each
-    pair, so that no heat is lost. ``thermal_volume`` (n,) is the mass over the material's density; ``scale`` is the
-    normalisation of the smoothing kernel.
+    pair, so that no heat is lost. ``thermal_volume`` (n,) is the mass over the material's density.
     """
     i = wp.tid() + first
     x_i = position[i]
@@ -58,12 +69,10 @@ def sum_heat(
         j = index_of(entry_of(neighbours, i, k))
         if role[j] != Role.RESERVOIR:
             d = x_i - position[j]
-            k_j = conductivity[j]
-            k_pair = table.contact[material[i], material[j]]
-            if k_pair < 0.0:
-                k_pair = 2.0 * k_i * k_j / (k_i + k_j + 1.0e-30)
-            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(wp.dot(d, d), support)
-    heat_rate[i] = 2.0 * scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass
+            r_squared = wp.dot(d, d)
+            k_pair = pair_conductivity(table, material[i], material[j], k_i, conductivity[j], r_squared)
+            total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * poly6_slope(r_squared, table.support)
+    heat_rate[i] = 2.0 * table.scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass
 
 
 @wp.func

@@ -19,7 +19,7 @@ from warpsph.scenarios.casting.feasibility import refuse_what_cannot_hold
 from warpsph.scenarios.casting.machine import MOULD, NOZZLE, PLANE, ROLLS, CastingMachine
 from warpsph.scenarios.casting.observer import CastingObserver
 from warpsph.scenarios.casting.parameters import CastingParameters
-from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity, contact_conductivity
+from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity
 
 
 class Casting(CastingParameters):
@@ -37,20 +37,19 @@ class Casting(CastingParameters):
         steel, copper = self.steel, replace(COPPER, name=MOULD, viscosity=self.mould_friction)
         held = (solid_material(name, self.density) for name in (PLANE, NOZZLE, ROLLS))
         materials = (steel, copper, *held, WATER)
-        plain = Model(self.dimension, self.spacing, materials, support_ratio=self.support_ratio)
-        contact = {
-            (steel.name, copper.name): contact_conductivity(plain, self.mould_conductance),
+        films = {
+            (steel.name, copper.name): self.mould_conductance,
             (copper.name, WATER.name): 0.0,
             (WATER.name, WATER.name): 0.0,
         }
         terms = (
             Fluid(self.density, self.sound_speed),
             SummedDensity(),
-            Conduction(contact),
+            Conduction(films),
             PhaseChange(),
             Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),
         )
-        return replace(plain, terms=terms)
+        return Model(self.dimension, self.spacing, materials, terms, self.support_ratio)
 
     def build(self, executor: Executor) -> Simulation:
         refuse_what_cannot_hold(self)

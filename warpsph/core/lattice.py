@@ -74,13 +74,13 @@ class Lattice:
             moment += weight * (layer + 0.5) * self.spacing
         return float(total), float(moment / total)
 
-    def crossings(self, name: str) -> float:
-        """Sum of V (-W'/r) over the neighbours on one side, each times the positions of a plane that it is beyond.
+    def detour(self, name: str) -> float:
+        """Sum of V (-W'/r) over the neighbours on one side, each times its distance and its distance across; about 1/2.
 
-        A pair m layers apart crosses m positions of a plane between the layers.
+        With the distance across in the place of the distance it would be half the slope.
         """
         beyond = self.offsets[self.offsets[:, 0] > 0.0]
-        return -self._sum(name, "slope", beyond[:, 0] / self.spacing, beyond)
+        return -self._sum(name, "slope", beyond[:, 0] * np.linalg.norm(beyond, axis=1), beyond)
 
     def _sum(self, name: str, form: str, weights: np.ndarray | float, offsets: np.ndarray | None = None) -> float:
         """Sum of V times weight times a form of W ("value", "slope" or "laplacian") over the neighbours."""

@@ -1,11 +1,12 @@
 """The physics: one file a term."""
 
 from warpsph.terms.colour_field_tension import ColourFieldTension
-from warpsph.terms.conduction import Conduction, contact_conductivity
+from warpsph.terms.conduction import Conduction
 from warpsph.terms.contact import Contact
 from warpsph.terms.continuity_density import ContinuityDensity
 from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.fluid import Fluid
+from warpsph.terms.heat_wall import HeatWall, cut_cells
 from warpsph.terms.phase_change import PhaseChange
 from warpsph.terms.summed_density import SummedDensity
 from warpsph.terms.surface_tension import SurfaceTension
@@ -17,8 +18,9 @@ __all__ = [
     "ContinuityDensity",
     "Elasticity",
     "Fluid",
+    "HeatWall",
     "PhaseChange",
     "SummedDensity",
     "SurfaceTension",
-    "contact_conductivity",
+    "cut_cells",
 ]

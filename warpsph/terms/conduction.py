@@ -1,5 +1,6 @@
 """Heat conduction by enthalpy."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,8 +17,11 @@ from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
+from warpsph.kernels.heat.walls import HeatWalls, add_heat_of_images, count_heat, find_walls_near
+from warpsph.terms.heat_wall import SLACK, HeatWall, refuse_misfits
 
 SMOOTHING_KERNEL = "poly6"
+MOST_WALLS = 30  # a bit each
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,20 +29,28 @@ class Conduction(Term):
     """Heat conduction by enthalpy (Vijaykumar 2012, chapter 3).
 
     Args:
-        contact: conductivity [W/(m K)] of pairs of two materials, by their names, in place of the harmonic mean.
+        films: conductance [W/(m^2 K)] of a film between two materials, by their names; 0 lets no heat pass.
         longest_interval: largest time between two conduction steps [s], beside the stability limit.
+        walls: planes on which temperature, film, flux or insulation is given.
+
+    One with walls belongs to one simulation; ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are then
+    device arrays that may be changed during a run.
     """
 
-    contact: dict[tuple[str, str], float] = field(default_factory=dict)
+    films: dict[tuple[str, str], float] = field(default_factory=dict)
     longest_interval: float = 1.0e-3
+    walls: Sequence[HeatWall] = ()
 
     def __post_init__(self) -> None:
         require(self, "longest_interval", number(self.longest_interval) > 0.0, "positive [s]")
-        allowed = "conductivities [W/(m K)] by pair of names of materials, as in {('steel', 'copper'): 30.0}"
-        require(self, "contact", isinstance(self.contact, dict), allowed)
-        for pair, conductivity in self.contact.items():
+        allowed = "conductances [W/(m^2 K)] by pair of names of materials, as in {('steel', 'copper'): 1500.0}"
+        require(self, "films", isinstance(self.films, dict), allowed)
+        for pair, conductance in self.films.items():
             named = isinstance(pair, tuple) and len(pair) == 2 and all(isinstance(name, str) for name in pair)
-            require(self, "contact", named and 0.0 <= number(conductivity) < np.inf, allowed)
+            require(self, "films", named and 0.0 <= number(conductance) < np.inf, allowed)
+        several = isinstance(self.walls, Sequence) and all(isinstance(wall, HeatWall) for wall in self.walls)
+        require(self, "walls", several, "a tuple of HeatWall")
+        require(self, "walls", len(self.walls) <= MOST_WALLS, f"{MOST_WALLS} at most")
 
     provides = ("conduction",)
 
@@ -57,11 +69,28 @@ class Conduction(Term):
             mine = fields["material"] == index
             enthalpy[mine] = substance.enthalpy(fields["temperature"][mine])
         volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
+        refuse_misfits(self.walls, model, particles.position)
         return {"enthalpy": enthalpy, "thermal_volume": volume}
 
+    def allocate(self, model: Model, state: State) -> None:
+        def hold(name: str, array: wp.array, scratch: bool = False) -> None:
+            self.arrays[name] = state.hold(f"conduction.{name}", array, scratch)
+
+        if not self.walls:
+            return
+        if self.arrays:
+            raise InputError("this Conduction belongs to another simulation already; make a new one")
+        for name in ("conductance", "outside", "flux"):
+            given = [getattr(wall, name) for wall in self.walls]
+            hold(f"wall_{name}", wp.array(given, dtype=float, device=state.device))
+        each = (len(self.walls), state.count)
+        hold("wall_heat", wp.zeros(each, dtype=wp.float64, device=state.device))
+        hold("wall_rate", wp.zeros(each, dtype=float, device=state.device), scratch=True)
+        for name in ("near_walls", "behind_walls"):
+            hold(name, wp.zeros(state.count, dtype=int, device=state.device), scratch=True)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        scale = normalisation(SMOOTHING_KERNEL, model.dimension, model.support) / model.lattice.slope(SMOOTHING_KERNEL)
-        return {"table": self._table(model, state.device), "support": model.support, "scale": scale}
+        return {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
 
     def reach(self, model: Model) -> float:
         return model.support
@@ -72,13 +101,13 @@ class Conduction(Term):
         Vijaykumar (2012), equation (7.7) with zeta = 0.1 and the support H, for the conductivity that the pair has.
         """
         limits = {"longest interval": self.longest_interval}
-        contact = self._contact(model)
+        films = self._films(model)
         for a, material in enumerate(model.materials):
             capacity = float(np.min(np.diff(material.enthalpies) / np.diff(material.temperatures)))
             for b, other in enumerate(model.materials):
-                conductivity = contact[a, b]
-                if conductivity < 0.0:
-                    conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
+                conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
+                if np.isfinite(films[a, b]):
+                    conductivity = 0.5 * _harmonic(conductivity, films[a, b] * model.support)
                 if conductivity > 0.0:
                     limits[f"conduction {material.name}-{other.name} (7.7)"] = (
                         0.1 * material.density * capacity * model.support**2 / conductivity
@@ -87,9 +116,14 @@ class Conduction(Term):
 
     def sum_heat(self, launch: Launch) -> None:
         launch(sum_heat)
+        if self.walls:
+            launch(find_walls_near)
+            launch(add_heat_of_images)
 
     def add_heat(self, launch: Launch) -> None:
         launch(add_heat)
+        if self.walls:
+            launch(count_heat)
 
     def find_temperature(self, launch: Launch) -> None:
         launch(update_temperature)
@@ -103,18 +137,61 @@ class Conduction(Term):
                 f"t = {float(state.time.numpy()[0]):.6g} s"
             )
 
-    def _contact(self, model: Model) -> np.ndarray:
-        """Conductivity (materials, materials) [W/(m K)] of pairs, -1 for the harmonic mean."""
-        contact = np.full((len(model.materials),) * 2, -1.0)
-        for pair, conductivity in self.contact.items():
+    @property
+    def wall_conductance(self) -> wp.array:
+        """Conductance (walls,) [W/(m^2 K)] of each wall."""
+        return self.arrays["wall_conductance"]
+
+    @property
+    def wall_outside(self) -> wp.array:
+        """Temperature (walls,) [K] of each wall, or behind its film."""
+        return self.arrays["wall_outside"]
+
+    @property
+    def wall_flux(self) -> wp.array:
+        """Flux (walls,) [W/m^2] that leaves by each wall, beside what passes its film."""
+        return self.arrays["wall_flux"]
+
+    def heat_to_walls(self) -> np.ndarray:
+        """Heat (walls,) [J] that each wall has taken so far (per metre of depth in 2D).
+
+        What the ``held`` particles of a row on the wall have taken stands in ``heat_held``.
+        """
+        return self.arrays["wall_heat"].numpy().sum(axis=1)
+
+    def rate_to_walls(self) -> np.ndarray:
+        """Heat (walls,) [W] that each wall took in unit time in the last step with heat (per metre of depth in 2D)."""
+        return self.arrays["wall_rate"].numpy().sum(axis=1, dtype=float)
+
+    def _films(self, model: Model) -> np.ndarray:
+        """Conductivity over distance (materials, materials) [W/(m^2 K)] in series with a pair, infinite without a film.
+
+        Two lattices of one temperature each, with a film that hinders more than they do, then exchange the exact heat
+        through a flat interface: pairs at an angle to it are longer than their way across.
+        """
+        lattice, films = model.lattice, np.full((len(model.materials),) * 2, np.inf)
+        straight = 0.5 * lattice.slope(SMOOTHING_KERNEL) / lattice.detour(SMOOTHING_KERNEL)
+        for pair, conductance in self.films.items():
             a, b = (model.index_of(name) for name in pair)
-            if contact[a, b] not in (-1.0, conductivity):
-                raise InputError(f"Conduction: contact: {pair[0]} and {pair[1]} have two different conductivities")
-            contact[a, b] = contact[b, a] = conductivity
-        return contact
+            if films[a, b] not in (np.inf, conductance * straight):
+                raise InputError(f"Conduction: films: {pair[0]} and {pair[1]} have two different conductances")
+            films[a, b] = films[b, a] = conductance * straight
+        return films
+
+    def _planes(self, model: Model, device: wp.Device) -> HeatWalls:
+        """The walls on the device."""
+        planes: Any = HeatWalls()
+        if self.walls:
+            planes.normal = wp.array([wall.normal for wall in self.walls], dtype=wp.vec3d, device=device)
+            planes.offset = wp.array([wall.offset for wall in self.walls], dtype=wp.float64, device=device)
+            planes.conductance, planes.outside, planes.flux = self.wall_conductance, self.wall_outside, self.wall_flux
+            planes.slack = SLACK * model.spacing
+            planes.rate, planes.taken = self.arrays["wall_rate"], self.arrays["wall_heat"]
+            planes.near, planes.behind = self.arrays["near_walls"], self.arrays["behind_walls"]
+        return planes
 
     def _table(self, model: Model, device: wp.Device) -> ThermalTable:
-        """Enthalpy curves, melting ranges and conductivities of all materials, and of their contacts, on the device."""
+        """Enthalpy curves, melting ranges, conductivities and films of all materials, on the device."""
         nodes = max(len(m.temperatures) for m in model.materials)
         temperature, enthalpy = (np.zeros((len(model.materials), nodes)) for _ in range(2))
         for index, material in enumerate(model.materials):
@@ -124,16 +201,13 @@ class Conduction(Term):
         table: Any = ThermalTable()
         table.temperature = wp.array(temperature, dtype=float, device=device)
         table.enthalpy = wp.array(enthalpy, dtype=float, device=device)
-        table.contact = wp.array(self._contact(model), dtype=float, device=device)
+        table.film = wp.array(self._films(model), dtype=float, device=device)
+        table.support = model.support
+        table.scale = normalisation(SMOOTHING_KERNEL, model.dimension, model.support)
+        table.scale /= model.lattice.slope(SMOOTHING_KERNEL)
         for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
             setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
         return table
-
-
-def contact_conductivity(model: Model, conductance: float) -> float:
-    """Pair conductivity [W/(m K)] that gives a flat interface between two lattices this conductance [W/(m^2 K)]."""
-    lattice = model.lattice
-    return conductance * lattice.slope(SMOOTHING_KERNEL) / (2.0 * model.spacing * lattice.crossings(SMOOTHING_KERNEL))
 
 
 def _highest_conductivity(material: Material) -> float:

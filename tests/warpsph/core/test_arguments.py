@@ -18,6 +18,7 @@ from warpsph.terms import (
     Conduction,
     Elasticity,
     Fluid,
+    HeatWall,
     PhaseChange,
     SurfaceTension,
 )
@@ -52,11 +53,20 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     *((lambda f=f: PhaseChange(f), "PhaseChange: freeze_above") for f in (1.5, "high")),
     *((lambda t=t: Conduction(longest_interval=t), "Conduction: longest_interval") for t in (0.0, NAN, "long")),
     *(
-        (lambda contact=contact: Conduction(contact), "Conduction: contact")
-        for contact in ({("water", "water"): -1.0}, {("water", "water"): "good"}, {"water": 1.0}, {(0, 1): 1.0}, [1.0])
+        (lambda films=films: Conduction(films), "Conduction: films")
+        for films in ({("water", "water"): -1.0}, {("water", "water"): "good"}, {"water": 1.0}, {(0, 1): 1.0}, [1.0])
     ),
     *((lambda c=c: SurfaceTension(c), "SurfaceTension: coefficient") for c in (-1.0, "strong")),
     (lambda: SurfaceTension(0.07, "low"), "SurfaceTension: threshold"),
+    (lambda: Conduction(walls=((1.0, 0.0, 0.0),)), "Conduction: walls"),
+    *(
+        (lambda n=n: HeatWall.insulated(n, 0.0), "HeatWall: normal")
+        for n in ((1.0, 1.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0), (NAN, 0.0, 0.0))
+    ),
+    *((lambda x=x: HeatWall.insulated((1.0, 0.0, 0.0), x), "HeatWall: offset") for x in (NAN, INFINITE)),
+    *((lambda h=h: HeatWall.film((1.0, 0.0, 0.0), 0.0, h, 300.0), "HeatWall: conductance") for h in (-1.0, NAN)),
+    *((lambda T=T: HeatWall.at_temperature((1.0, 0.0, 0.0), 0.0, T), "HeatWall: outside") for T in (NAN, INFINITE)),
+    *((lambda q=q: HeatWall.given_flux((1.0, 0.0, 0.0), 0.0, q), "HeatWall: flux") for q in (NAN, INFINITE)),
     (lambda: ColourFieldTension(NAN), "ColourFieldTension: coefficient"),
     *((lambda d=d: Model(d, 0.1, WATER), "Model: dimension") for d in (4, "2", [2], None)),
     *((lambda dx=dx: Model(2, dx, WATER), "Model: spacing") for dx in (0.0, -0.1, NAN, "fine")),

@@ -25,6 +25,7 @@ SMALL: dict[str, Callable[[], dict[str, Any]]] = {
     "rubber_rings": lambda: {"layers": 4, "duration": 0.01, "output_interval": 0.002},
     "rotated_disc": lambda: {"spacing": 0.005, "stretch": 0.02, "duration": 4e-3, "output_interval": 1e-3},
     "heat_gaussian": lambda: {"spacing": 0.04, "duration": 2.0, "output_interval": 0.5},
+    "heat_slab": lambda: {"rows": 10, "duration": 40.0, "output_interval": 10.0},
 }
 
 

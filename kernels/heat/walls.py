@@ -1,0 +1,204 @@
+"""Heat conduction between particles and their mirror images behind plane walls."""
+
+import warp as wp
+
+from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.basics.smoothing import poly6_slope
+from warpsph.kernels.heat.conduction import ThermalTable, pair_conductivity
+from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+
+wp.set_module_options({"enable_backward": False, "fast_math": False})
+
+
+@wp.struct
+class HeatWalls:
+    """Planes ``x . normal = offset`` [m] with the body before them, where ``normal`` points.
+
+    ``normal``, ``offset`` (walls,); ``conductance`` [W/(m^2 K)], infinite where the temperature is given, and
+    ``outside`` [K], ``flux`` [W/m^2] out of the body, (walls,); ``slack`` [m], by how much a particle may be behind a
+    plane and still be taken to stand on it. ``rate`` (walls, n) [W] and ``taken`` (walls, n) [J], by the ids of the
+    particles: what each wall takes from each of them, in unit time and so far. ``near`` and ``behind`` (n,), a bit for
+    each plane: which stand within the support of a particle, and which ones it is behind.
+    """
+
+    normal: wp.array[wp.vec3d]
+    offset: wp.array[wp.float64]
+    conductance: wp.array[float]
+    outside: wp.array[float]
+    flux: wp.array[float]
+    slack: float
+    rate: wp.array2d[float]
+    taken: wp.array2d[wp.float64]
+    near: wp.array[int]
+    behind: wp.array[int]
+
+
+@wp.func
+def height(walls: HeatWalls, p: int, x: wp.vec3) -> float:
+    """Distance [m] of ``x`` before plane p, in double precision: far from the origin it is a small difference."""
+    n = walls.normal[p]
+    along = n[0] * wp.float64(x[0]) + n[1] * wp.float64(x[1]) + n[2] * wp.float64(x[2])
+    return float(along - walls.offset[p])
+
+
+@wp.func
+def how_many(planes: int) -> int:
+    """Number of bits in ``planes``."""
+    count = int(0)
+    while planes != 0:
+        planes = planes & (planes - 1)
+        count += 1
+    return count
+
+
+@wp.func
+def plane_of(planes: int, rank: int) -> int:
+    """The plane whose bit in ``planes`` has ``rank`` others below it."""
+    p = int(0)
+    while (planes >> p) & 1 == 0 or rank > 0:
+        rank -= (planes >> p) & 1
+        p += 1
+    return p
+
+
+@wp.func
+def chain_of(walls: HeatWalls, number: int, mirrors: int) -> wp.vec3i:
+    """One, two or three of the planes ``mirrors`` (bits), in rising order of their conductance; -1 stands for none.
+
+    Every set of planes has one ``number`` below the cube of their count; other numbers give no plane at all.
+    """
+    count = how_many(mirrors)
+    first = number // (count * count)
+    second = (number // count) % count
+    third = number % count
+    if second < first or third < second or (second == first and third > second):
+        return wp.vec3i(-1, -1, -1)
+    p, q, r = plane_of(mirrors, first), plane_of(mirrors, second), plane_of(mirrors, third)
+    if q > p and walls.conductance[q] < walls.conductance[p]:
+        softer, stiffer = q, p
+    else:
+        softer, stiffer = p, q
+    if q == p:
+        return wp.vec3i(p, -1, -1)
+    if r == q:
+        return wp.vec3i(softer, stiffer, -1)
+    if walls.conductance[r] < walls.conductance[softer]:
+        return wp.vec3i(r, softer, stiffer)
+    if walls.conductance[r] < walls.conductance[stiffer]:
+        return wp.vec3i(softer, r, stiffer)
+    return wp.vec3i(softer, stiffer, r)
+
+
+@wp.func
+def drop_across(walls: HeatWalls, p: int, T: float, d: float, k: float) -> float:
+    """How much colder [K] the image behind plane p is than what it is an image of: 2 d q / k.
+
+    q is the flux that leaves a body of the temperature ``T`` at the distance ``d`` [m] and of the conductivity ``k``.
+    """
+    h = walls.conductance[p]
+    share = float(2.0)
+    if h < wp.inf:
+        share = 2.0 * d * h / (d * h + k)
+    return share * (T - walls.outside[p]) + 2.0 * d * walls.flux[p] / k
+
+
+@wp.kernel
+def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position: wp.array[wp.vec3], id: wp.array[int]):
+    """Write ``walls.near`` and ``walls.behind`` (n,), and set ``walls.rate`` (walls, n) to zero."""
+    i = wp.tid() + first
+    near, behind = int(0), int(0)
+    for p in range(walls.offset.shape[0]):
+        h = height(walls, p, position[i])
+        if wp.abs(h) < table.support:
+            near |= 1 << p
+        if h < -walls.slack:
+            behind |= 1 << p
+        walls.rate[p, id[i]] = 0.0
+    walls.near[i] = near
+    walls.behind[i] = behind
+
+
+@wp.kernel
+def add_heat_of_images(
+    first: int,
+    table: ThermalTable,
+    neighbours: NeighbourList,
+    walls: HeatWalls,
+    position: wp.array[wp.vec3],
+    role: wp.array[int],
+    temperature: wp.array[float],
+    conductivity: wp.array[float],
+    thermal_volume: wp.array[float],
+    material: wp.array[int],
+    id: wp.array[int],
+    heat_rate: wp.array[float],
+):
+    """Add to ``heat_rate`` (n,) [W] what the images behind walls give, and take away what came across a wall.
+
+    The sum of :func:`warpsph.kernels.heat.conduction.sum_heat` goes over the images of the particles, their own among
+    them, in one plane, in two and in three at right angles (method of images). The distance to an image is
+    r'^2 = r^2 + 4 d_i d_j for each plane, d the distances from it; no image is nearer than the particle itself, so the
+    list of neighbours has all. What a particle would give to the other one's image is antisymmetric in the pair; the
+    walls take what the image is colder. An image in several planes is that of an image: softest planes first, because
+    a wall of given temperature turns the sign of a flux behind it.
+    """
+    i = wp.tid() + first
+    near = walls.near[i]
+    if near == 0 or role[i] == Role.RESERVOIR:
+        return
+    x_i = position[i]
+    T_i = temperature[i]
+    total = float(0.0)
+    for k in range(neighbours.count[i]):
+        j = index_of(entry_of(neighbours, i, k))
+        if role[j] != Role.RESERVOIR and (walls.behind[i] ^ walls.behind[j]) & near != 0:
+            d = x_i - position[j]
+            r_squared = wp.dot(d, d)
+            k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
+            weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
+            total -= weight * (T_i - temperature[j])
+    factor = 2.0 * table.scale * thermal_volume[i]
+    mirrors = near & ~walls.behind[i]
+    count = how_many(mirrors)
+    chains = count * count * count
+    for number in range(chains):
+        chain = chain_of(walls, number, mirrors)
+        sweep = wp.where(chain[0] >= 0, neighbours.count[i] + 1, 0)
+        d_i, normals = wp.vec3(0.0, 0.0, 0.0), wp.mat33(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+        for m in range(3):
+            if chain[m] >= 0:
+                d_i[m] = height(walls, chain[m], x_i)
+                for axis in range(3):
+                    normals[m, axis] = float(walls.normal[chain[m]][axis])
+        taken = wp.vec3(0.0, 0.0, 0.0)
+        for k in range(sweep):
+            j = int(i)  # last of all its own image
+            if k < neighbours.count[i]:
+                j = index_of(entry_of(neighbours, i, k))
+            d = x_i - position[j]
+            d_j = wp.max(d_i - normals * d, wp.vec3(0.0, 0.0, 0.0))
+            r_squared = wp.dot(d, d) + 4.0 * wp.dot(wp.max(d_i, wp.vec3(0.0, 0.0, 0.0)), d_j)
+            if r_squared < table.support * table.support and (walls.behind[i] ^ walls.behind[j]) & near == 0:
+                k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
+                if k_pair > 0.0 and role[j] != Role.RESERVOIR:
+                    weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
+                    T = float(temperature[j])
+                    for m in range(3):
+                        if chain[m] >= 0:
+                            drop = drop_across(walls, chain[m], T, d_j[m], k_pair)
+                            taken[m] = taken[m] - weight * drop
+                            T -= drop
+                    total += weight * (T_i - T)  # Vijaykumar (3.2)
+        for m in range(3):
+            if chain[m] >= 0:
+                walls.rate[chain[m], id[i]] += factor * taken[m]
+    heat_rate[i] += factor * total
+
+
+@wp.kernel
+def count_heat(first: int, interval: float, walls: HeatWalls):
+    """Add what walls take in ``interval`` [s] to ``walls.taken``."""
+    me = wp.tid() + first
+    for p in range(walls.offset.shape[0]):
+        if walls.rate[p, me] != 0.0:
+            walls.taken[p, me] += wp.float64(walls.rate[p, me] * interval)

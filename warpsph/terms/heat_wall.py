@@ -1,0 +1,119 @@
+"""Plane walls of heat: what is given on a face of a body that conducts."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from warpsph.core.model import Model
+from warpsph.errors import InputError, require
+
+PERPENDICULAR = 1.0e-3  # largest cosine between planes whose images are those of a corner
+SLACK = 0.25  # spacings by which a particle may be behind a wall and count as on it
+
+
+@dataclass(frozen=True, eq=False)
+class HeatWall:
+    """A plane with a body before it; ``q = conductance (T_surface - outside) + flux`` leaves the body there.
+
+    Made by :meth:`at_temperature`, :meth:`film`, :meth:`given_flux` or :meth:`insulated`. The plane has no end. Rows of
+    particles begin half a spacing before it, or with a row on it whose cells are cut (:func:`cut_cells`). A particle
+    up to a quarter of a spacing behind it counts as on it; one further behind exchanges no heat across it and does not
+    see the wall.
+
+    Args:
+        normal: unit vector (3,) that points into the body.
+        offset: ``x . normal`` on the plane [m].
+        conductance: [W/(m^2 K)]; infinite where the temperature of the surface is given, 0 where it does not matter.
+        outside: temperature [K] behind the film, or of the surface where it is given.
+        flux: heat that leaves the body [W/m^2], beside what passes the film.
+    """
+
+    normal: Sequence[float]
+    offset: float
+    conductance: float
+    outside: float
+    flux: float
+
+    def __post_init__(self) -> None:
+        unit = np.shape(self.normal) == (3,) and abs(float(np.linalg.norm(self.normal)) - 1.0) < 1e-6
+        require(self, "normal", unit, "a unit vector of three numbers")
+        require(self, "offset", bool(np.isfinite(self.offset)), "a number [m]")
+        require(self, "conductance", self.conductance >= 0.0, "zero or positive [W/(m^2 K)]")
+        require(self, "outside", bool(np.isfinite(self.outside)), "a temperature [K]")
+        require(self, "flux", bool(np.isfinite(self.flux)), "a number [W/m^2]")
+
+    @classmethod
+    def at_temperature(cls, normal: Sequence[float], offset: float, temperature: float) -> "HeatWall":
+        """A surface of given temperature [K]; a row that stands on it is to be ``held`` at that temperature."""
+        return cls(normal, offset, np.inf, temperature, 0.0)
+
+    @classmethod
+    def film(cls, normal: Sequence[float], offset: float, conductance: float, outside: float) -> "HeatWall":
+        """A film of a conductance [W/(m^2 K)] before an outside of given temperature [K]."""
+        return cls(normal, offset, conductance, outside, 0.0)
+
+    @classmethod
+    def given_flux(cls, normal: Sequence[float], offset: float, flux: float) -> "HeatWall":
+        """A flux [W/m^2] that leaves the body, whatever its temperature."""
+        return cls(normal, offset, 0.0, 0.0, flux)
+
+    @classmethod
+    def insulated(cls, normal: Sequence[float], offset: float) -> "HeatWall":
+        """A surface through which no heat passes: a plane of symmetry, too."""
+        return cls(normal, offset, 0.0, 0.0, 0.0)
+
+    def height(self, points: np.ndarray) -> np.ndarray:
+        """Distance (n,) [m] of ``points`` (n, 3) before the plane."""
+        return np.asarray(points, float) @ np.asarray(self.normal, float) - self.offset
+
+
+def cut_cells(points: np.ndarray, walls: Sequence[HeatWall], spacing: float, dimension: int) -> np.ndarray:
+    """Volumes (n,) [m^3, or m^2 in 2D] of the cells around ``points`` (n, 3), as far as they are before the walls.
+
+    For lattices along the walls: half a cell where a row stands on one of them, a quarter where on two.
+
+    Raises:
+        InputError: a cell is all behind a wall.
+    """
+    volume = np.full(len(points), spacing**dimension)
+    for wall in walls:
+        volume *= np.clip(0.5 + wall.height(points) / spacing, 0.0, 1.0)
+    if outside := int(np.sum(volume <= 0.0)):
+        raise InputError(f"cut_cells: {outside} of {len(points)} cells are all behind a wall; leave them out")
+    return volume
+
+
+def refuse_misfits(walls: Sequence[HeatWall], model: Model, points: np.ndarray) -> None:
+    """Refuse walls whose images would be wrong for the particles at ``points`` (n, 3) [m].
+
+    Raises:
+        InputError: two walls are parallel and nearer to each other than the support, or neither parallel nor
+            perpendicular and near the same particle; or one leans out of the plane.
+    """
+    for b, wall in enumerate(walls):
+        if model.dimension == 2 and wall.normal[2] != 0.0:
+            raise InputError(f"heat walls: the normal {tuple(wall.normal)} leans out of the plane, in two dimensions")
+        for a, other in enumerate(walls[:b]):
+            cosine = float(np.dot(wall.normal, other.normal))
+            if abs(cosine) > 1.0 - PERPENDICULAR:
+                _refuse_narrow(wall, other, cosine, model.support)
+            elif abs(cosine) > PERPENDICULAR and np.any(_near(wall, points, model) & _near(other, points, model)):
+                raise InputError(
+                    f"heat walls {a} and {b} meet in the body, neither parallel nor at right angles: no images fit"
+                )
+
+
+def _refuse_narrow(wall: HeatWall, other: HeatWall, cosine: float, support: float) -> None:
+    """Two faces of one body must be a support apart; walls of two bodies may stand back to back."""
+    gap = abs(wall.offset - other.offset) if cosine > 0.0 else -(wall.offset + other.offset)
+    if (cosine > 0.0 or gap > 0.0) and gap < support * (1.0 - 1e-6):
+        raise InputError(
+            f"heat walls: two parallel ones are {gap:.4g} m apart; they must be as far as the support, {support:.4g} m"
+        )
+
+
+def _near(wall: HeatWall, points: np.ndarray, model: Model) -> np.ndarray:
+    """Which points (n,) see images behind a wall."""
+    height = wall.height(points)
+    return (height > -SLACK * model.spacing) & (height < model.support)
