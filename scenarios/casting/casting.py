@@ -28,7 +28,7 @@ class Casting(CastingParameters):
     name: ClassVar[str] = "casting"
     summary: ClassVar[str] = "continuous casting of steel: nozzle, oscillating mould, shell, sprays, withdrawal"
     source: ClassVar[str] = "Vijaykumar (2012), chapters 6 and 7"
-    presets: ClassVar[tuple[str, ...]] = ("demo", "thesis", *INLETS, "oscillation", "billet")
+    presets: ClassVar[tuple[str, ...]] = ("demo", "steady", "thesis", *INLETS, "oscillation", "billet")
     default_preset: ClassVar[str | None] = "demo"
 
     @property
@@ -81,8 +81,8 @@ class Casting(CastingParameters):
 
     @classmethod
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
-        """The demo; and, where there is time, the run at the thesis's resolution, its experiments, and the billet."""
-        for preset in ("thesis", "billet") if slow else ("demo",):
+        """The demo; where there is time, the steady strand, the thesis's resolution and experiments, and the billet."""
+        for preset in ("steady", "thesis", "billet") if slow else ("demo",):
             case = resolve(cls, [preset_layer(cls, preset)])
             yield from case.checks(simulate(case))
         if slow:

@@ -3,7 +3,9 @@
 import numpy as np
 
 from warpsph.cases.check import Check
+from warpsph.core.materials import WATER
 from warpsph.run.result import Result
+from warpsph.scenarios.casting.alarms import SETTLED
 from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.scenarios.casting.travelling_slice import shell_thickness
 
@@ -55,21 +57,48 @@ def casting_checks(case: CastingParameters, result: Result) -> list[Check]:
             float(d["missing_melt"][-1] + d["missing_water"][-1]), None, 0.0,
             "the machine runs on what has left it", reason="every particle is counted",
         ),
-        _shell_check(case, result),
+        *_water_and_speed_checks(case, result),
+        *_shell_checks(case, result),
     ]  # fmt: skip
 
 
-def _shell_check(case: CastingParameters, result: Result) -> Check:
-    """Mean thickness over the lower half of the mould, averaged over the last third of the run."""
+def _water_and_speed_checks(case: CastingParameters, result: Result) -> list[Check]:
     d = result.diagnostics
-    heights = d["height"][0]
-    last_third = d["time"] >= 2.0 / 3.0 * d["time"][-1]
-    lower_mould = (heights > case.mould_bottom) & (heights < 0.5 * (case.mould_bottom + case.level))
-    measured = np.mean(d["shell_thickness"][last_third][:, lower_mould])
-    profiles = case.slices(heights[lower_mould])
-    exact = np.mean([shell_thickness(profile, case.steel, case.half_width, 0.5) for profile in profiles])
-    return Check(
-        case.name, "shell thickness, lower half of the mould", "m", float(measured), float(exact), 0.15,
-        "one-dimensional enthalpy conduction of a stagnant slice with the same wall",
-        reason="half a spacing of the interface's place, and the melt that moves",
-    )  # fmt: skip
+    fast = d["shell_speed"][d["time"] > SETTLED]
+    return [
+        Check(
+            case.name, "water inside the steel, in any frame", "particles", float(np.max(d["water_inside"])), None, 0.0,
+            "water runs off", reason="it stands on the outermost particle",
+        ),
+        Check(
+            case.name, "water that the strand has closed over, of all that was sprayed", "",
+            float(d["water_caught"][-1] / max(result.fields["entries"][result.made_of(WATER.name)].sum(), 1)), None,
+            0.001, "water runs off", reason="a bulge may overtake a drop",
+        ),
+        Check(
+            case.name, f"highest speed of the shell after {SETTLED:g} s", "m/s", float(np.max(fast)),
+            None, case.fastest_shell, "the mould's at most, and twenty times the strand's",
+            reason="a particle that freezes or melts sets off its neighbours for a millisecond",
+        ),
+    ]  # fmt: skip
+
+
+def _shell_checks(case: CastingParameters, result: Result) -> list[Check]:
+    """Mean over the last third of a run of the shell that the run has made, where there should be two layers of it."""
+    d = result.diagnostics
+    heights, last_third = d["height"][0], d["time"] >= 2.0 / 3.0 * d["time"][-1]
+    made = heights > case.level - case.casting_speed * d["time"][last_third][0]
+    profiles = case.slices(heights)
+    exact = np.array([shell_thickness(profile, case.steel, case.half_width, 0.5) for profile in profiles])
+    thick = made & (exact > 2.0 * case.spacing)
+    places = {"in the mould": heights >= case.mould_bottom, "below the mould": heights < case.mould_bottom}
+    return [
+        Check(
+            case.name, f"shell {place} that the run has made, {heights[here][0]:.2f} to {heights[here][-1]:.2f} m", "m",
+            float(np.mean(d["shell_thickness"][last_third][:, here])), float(np.mean(exact[here])), 0.25,
+            "one-dimensional enthalpy conduction of a stagnant slice with the same wall",
+            reason="the melt moves, and the jet brings its superheat to the shell below the nozzle",
+        )
+        for place, there in places.items()
+        if np.any(here := thick & there)
+    ]  # fmt: skip

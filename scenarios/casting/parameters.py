@@ -140,8 +140,8 @@ class CastingParameters(Scenario):
 
     @property
     def fastest_shell(self) -> float:
-        """Speed [m/s] that no part of the shell should exceed: the mould's at most, and ten times the strand's."""
-        return np.pi * self.mould_frequency * self.mould_stroke + 10.0 * self.casting_speed
+        """Speed [m/s] that no part of the shell should exceed: the mould's at most, and twenty times the strand's."""
+        return np.pi * self.mould_frequency * self.mould_stroke + 20.0 * self.casting_speed
 
     @property
     def bore(self) -> float:
