@@ -8,6 +8,7 @@ import numpy as np
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
+from warpsph.run.events import Event
 from warpsph.run.result import Result
 from warpsph.scenarios.breakout.reckoning import LAYERS, remelting_delay, thinnest_shell
 from warpsph.scenarios.casting.casting import Casting
@@ -75,17 +76,16 @@ class Breakout(Casting):
         return ledger_checks(self, result) + ([self._no_hole(result)] if control else self._events(result))
 
     def _no_hole(self, result: Result) -> Check:
-        opened = [text for _, text in result.events if HOLE in text or OUTFLOW in text]
         return Check(
             self.name, f"control at {1e3 * self.spacing:g} mm, all sprays on: openings of the shell", "",
-            float(len(opened)), None, 0.0, "Vijaykumar (2012), figure 6.3 (a)", reason="the shell holds",
+            float(len(openings(result))), None, 0.0, "Vijaykumar (2012), figure 6.3 (a)", reason="the shell holds",
         )  # fmt: skip
 
     def _events(self, result: Result) -> list[Check]:
         """Thinning, hole and outflow come at the published times; the shell opens in a zone that has failed."""
         times = {kind: next((time for time, text in result.events if kind in text), np.inf) for kind in EVENTS}
         at, figures = f"at {1e3 * self.spacing:g} mm", "Vijaykumar (2012), figures 7.5 and 7.6"
-        opened = [text for _, text in result.events if HOLE in text or OUTFLOW in text]
+        opened = [text for _, text in openings(result)]
         return [
             Check(
                 self.name, f"{THINS}, {at}", "s", times[THINS], 12.0, 4.0, figures, relative=False,
@@ -105,3 +105,8 @@ class Breakout(Casting):
                 reason="the shell melts where there is no spray",
             ),
         ]  # fmt: skip
+
+
+def openings(result: Result) -> list[Event]:
+    """When and where the shell has opened."""
+    return [(time, text) for time, text in result.events if HOLE in text or OUTFLOW in text]

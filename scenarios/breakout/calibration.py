@@ -14,7 +14,7 @@ from warpsph.cases.case import preset_layer, resolve
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
 from warpsph.run.result import Result
-from warpsph.scenarios.breakout.breakout import HOLE, PUBLISHED_HOLE, Breakout
+from warpsph.scenarios.breakout.breakout import PUBLISHED_HOLE, Breakout, openings
 from warpsph.scenarios.breakout.reckoning import LAYERS, remelting_delay, thinnest_shell
 
 CONDUCTANCES = np.arange(1300.0, 2001.0, 100.0)  # the usual range of moulds [W/(m^2 K)]
@@ -41,7 +41,7 @@ def choose_conductance(case: Breakout) -> Breakout:
         print(f"{conductance:.0f} W/(m^2 K): thinnest shell {1e3 * thinnest:.1f} mm by 1-D conduction", flush=True)
         if thinnest < LAYERS * case.spacing:
             continue
-        if not run(held, f"control {conductance:.0f}").events:
+        if not openings(run(held, f"control {conductance:.0f}")):
             return case.model_copy(update={"mould_conductance": float(conductance)})
     sys.exit("no conductance of the usual range holds the strand: pour less hot, or give more water")
 
@@ -49,8 +49,8 @@ def choose_conductance(case: Breakout) -> Breakout:
 def choose_failure(case: Breakout) -> Breakout:
     """The case with the time of failure that makes the hole come at the published time."""
     print(f"remelting without water, by 1-D conduction: {remelting_delay(case):.1f} s", flush=True)
-    events = run(case.model_copy(update={"spray_failure": TRIAL_FAILURE}), "failure early").events
-    hole = next((time for time, text in events if HOLE in text), None)
+    opened = openings(run(case.model_copy(update={"spray_failure": TRIAL_FAILURE}), "failure early"))
+    hole = next((time for time, _ in opened), None)
     if hole is None:
         sys.exit("the shell bears the failure: pour hotter")
     failure = round(PUBLISHED_HOLE - (hole - TRIAL_FAILURE), 1)
