@@ -46,7 +46,7 @@ class State:
         raise AttributeError(f"the state holds nothing that is called '{name}'")
 
     def add(self, field: Field, values: np.ndarray) -> None:
-        """Add the array of a field with its start ``values`` (n, ...).
+        """Add the array of a field with its start ``values`` (n, ...), and what single precision loses of them.
 
         Raises:
             InputError: something of that name is there already, or the values are not one for each particle.
@@ -61,7 +61,8 @@ class State:
         self.arrays[field.name] = field.array(values, self.device)
         if field.compensated:
             self._refuse_taken(field.carry_name)
-            self.arrays[field.carry_name] = wp.zeros_like(self.arrays[field.name])
+            lost = self.arrays[field.name].numpy() - np.asarray(values, float)
+            self.arrays[field.carry_name] = field.array(lost, self.device)
 
     def hold(self, name: str, array: wp.array, scratch: bool = False) -> wp.array:
         """Keep an array that is not a field, under a name of its own."""

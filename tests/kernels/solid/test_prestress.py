@@ -15,9 +15,12 @@ SPACING, STEEL = 0.01, thesis_steel()
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
-@pytest.mark.parametrize("place", [0.0, 50.0])
-def test_freezing_is_no_blow(device, dimension, place):
-    """What freezes would lose its pressure at once, and shake a shell that grows: 0.5 m/s in a casting mould."""
+@pytest.mark.parametrize(("place", "error"), [(0.0, 1e-3), (50.0, 5e-3)])
+def test_freezing_is_no_blow(device, dimension, place, error):
+    """What freezes would lose its pressure at once, and shake a shell that grows: 0.5 m/s in a casting mould.
+
+    At 50 m the fluid's distances are rounded to 4e-4 of the spacing, those of the bonds are not.
+    """
     squeezed = 0.99 * SPACING
     x = lattice((0.0,) * dimension, (10 * squeezed,) * dimension, squeezed)
     particles = Particles()
@@ -38,4 +41,4 @@ def test_freezing_is_no_blow(device, dimension, place):
     solid = simulation.state.numpy("phase") == 2
     assert 0.4 < solid.mean() < 0.6
     assert simulation.state.bonds.count.numpy()[solid].min() > 2
-    assert np.abs(simulation.state.numpy("acceleration") - fluid).max() < 1e-3 * scale
+    assert np.abs(simulation.state.numpy("acceleration") - fluid).max() < error * scale
