@@ -77,8 +77,8 @@ def _water_and_speed_checks(case: CastingParameters, result: Result) -> list[Che
         ),
         Check(
             case.name, f"highest speed of the shell after {SETTLED:g} s", "m/s", float(np.max(fast)),
-            None, case.fastest_shell, "the mould's at most, and twenty times the strand's",
-            reason="a particle that freezes or melts sets off its neighbours for a millisecond",
+            None, case.fastest_shell, "the mould's at most, and g h / c_s",
+            reason="a particle that melts may be rid of the melt's pressure at once",
         ),
     ]  # fmt: skip
 

@@ -8,6 +8,7 @@ from pydantic import model_validator
 
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.materials import WATER, Material, thesis_steel
+from warpsph.core.model import GRAVITY
 from warpsph.scenarios.casting.travelling_slice import cool_slice
 
 WALL_LAYERS = 3  # of the nozzle
@@ -140,8 +141,12 @@ class CastingParameters(Scenario):
 
     @property
     def fastest_shell(self) -> float:
-        """Speed [m/s] that no part of the shell should exceed: the mould's at most, and twenty times the strand's."""
-        return np.pi * self.mould_frequency * self.mould_stroke + 20.0 * self.casting_speed
+        """Speed [m/s] that no part of the shell should exceed.
+
+        The mould's at most, and g h / c_s, with which a particle sets off that is rid of the whole pressure of the melt
+        at once: by freezing or melting nothing can be faster.
+        """
+        return np.pi * self.mould_frequency * self.mould_stroke + GRAVITY * self.level / self.sound_speed
 
     @property
     def bore(self) -> float:
