@@ -28,7 +28,8 @@ def add_fluid_forces(
 ):
     """Add the acceleration (n,) [m/s^2] of every free particle by pressure and viscosity.
 
-    Vijaykumar (2012), equations (2.3), (2.5), (2.6). Bonded pairs do not press on each other: their bond does.
+    Vijaykumar (2012), equations (2.3), (2.5), (2.6). Bonded pairs do not press on each other: their bond does; and
+    viscosity damps their distance only, for all of it would brake the turning of a solid.
     ``viscosity`` (n,) [Pa s] enters a pair as the harmonic mean; a wall without viscosity lets the fluid slip.
     ``mass`` (n,) [kg] of a solid may differ from the ``fluid_mass`` (n,) by which it counts in the sums.
     """
@@ -51,9 +52,12 @@ def add_fluid_forces(
                     pressure_sum += d * ((p_i + pressure[j]) * volume[j] * spiky_slope(r_squared, fluid.support))
                 mu_j = viscosity[j]
                 mu_ij = 2.0 * mu_i * mu_j / (mu_i + mu_j + 1.0e-20)
+                u_ji = velocity[j] - u_i
+                if entry < 0:
+                    u_ji = d * (wp.dot(d, u_ji) / (r_squared + 1.0e-20))
                 # Vijaykumar (2.5)
                 laplacian = viscosity_laplacian(r_squared, fluid.support)
-                viscous_sum += (velocity[j] - u_i) * (mu_ij * volume[j] * laplacian)
+                viscous_sum += u_ji * (mu_ij * volume[j] * laplacian)
         force = viscous_sum * fluid.viscosity_scale - pressure_sum * fluid.pressure_scale
         # Vijaykumar (2.6), for a solid of another density by its own mass
         acceleration[i] = force / density[i] * (fluid_mass[i] / mass[i]) + acceleration[i]

@@ -50,6 +50,7 @@ def update_bonds(
     body: wp.array[int],
     phase: wp.array[int],
     froze: wp.array[int],
+    deformation: wp.array[wp.mat33],
     bonds: BondList,
     rebonded: wp.array[int],
     longest_bond_row: wp.array[int],
@@ -57,8 +58,9 @@ def update_bonds(
     """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``,
     of the same ``body``.
 
-    A particle that freezes later joins stress-free: its bonds keep the separation of that moment (Vijaykumar 2012,
-    equation 4.6). ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. ``rebonded`` (n,) marks where
+    A particle that freezes later joins a body that has turned and is strained: its bonds keep the separation of that
+    moment (Vijaykumar 2012, equation 4.6), drawn back by the ``deformation`` (n,) of both ends to where the other bonds
+    count from. ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. ``rebonded`` (n,) marks where
     bonds have come or gone, and where they are the first ones. A row that would overflow is cut and its full length
     goes to ``longest_bond_row`` (1,).
     """
@@ -80,10 +82,11 @@ def update_bonds(
                 d = precise_difference(position, position_carry, i, j)
                 if wp.dot(d, d) < reach * reach:
                     if n < bonds.capacity:
+                        X = wp.inverse(0.5 * (deformation[i] + deformation[j])) * d
                         bonds.partner[row + n] = j
-                        bonds.separation[row + n] = d
-                        bonds.slope[row + n] = scale * sine_slope(wp.dot(d, d), reach)
-                        bonds.value[row + n] = scale * sine_value(wp.dot(d, d), reach)
+                        bonds.separation[row + n] = X
+                        bonds.slope[row + n] = scale * sine_slope(wp.dot(X, X), reach)
+                        bonds.value[row + n] = scale * sine_value(wp.dot(X, X), reach)
                         bonds.prestress[row + n] = 0.0
                     n += 1
         if n > bonds.capacity:
@@ -103,18 +106,24 @@ def join_body(
     position: wp.array[wp.vec3],
     phase: wp.array[int],
     froze: wp.array[int],
+    deformation: wp.array[wp.mat33],
     body: wp.array[int],
 ):
-    """Let what just ``froze`` join the ``body`` (n,) of the nearest particle that was solid before, if there is one."""
+    """Let what just ``froze`` join the ``body`` (n,) of the nearest particle that was solid before, if there is one.
+
+    It takes over the ``deformation`` (n,) of that particle: the body has turned and is strained where it joins it.
+    """
     i = wp.tid() + first
     if froze[i] != 0:
         nearest = float(1.0e30)
+        deformation[i] = wp.identity(n=3, dtype=float)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             d = position[i] - position[j]
             if phase[j] == Phase.SOLID and froze[j] == 0 and wp.dot(d, d) < nearest:
                 nearest = wp.dot(d, d)
                 body[i] = body[j]
+                deformation[i] = deformation[j]
 
 
 @wp.kernel

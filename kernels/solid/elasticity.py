@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.neighbours.pairs import precise_difference
-from warpsph.kernels.solid.bonds import CHANGED, NEW, BondList
+from warpsph.kernels.solid.bonds import CHANGED, UNCHANGED, BondList
 
 wp.set_module_options({"enable_backward": False})
 
@@ -138,19 +138,20 @@ def keep_strain(
     deformation: wp.array[wp.mat33],
     settled: wp.array[wp.mat33],
 ):
-    """Let every particle keep its strain where bonds come and go.
+    """Let every particle keep its strain where bonds come and go, and what is new be without any.
 
-    A bond that is made in a strained solid remembers nothing of the strain, and the gradient over all bonds would jump,
-    and the stress with it. ``settled`` (n,) takes up the difference: it leads from the shape without stress to the one
-    that the bonds count from.
+    ``settled`` (n,) leads from the shape without stress to the one that the bonds count from. Where bonds change, so
+    does the gradient over them; the stress must not. It would most of all where a particle has had so few bonds that
+    its moment matrix could not be inverted, and now can.
     """
     i = wp.tid() + first
-    if rebonded[i] == NEW:
-        settled[i] = wp.identity(n=3, dtype=float)
-    elif rebonded[i] == CHANGED:
+    if rebonded[i] != UNCHANGED:
         now = deformation_of_bonds(bonds, i, position, position_carry, body_volume, correction)
+        before = wp.identity(n=3, dtype=float)
+        if rebonded[i] == CHANGED:
+            before = deformation[i] * settled[i]
         if wp.determinant(now) > SMALLEST_VOLUME:
-            settled[i] = wp.inverse(now) * deformation[i] * settled[i]
+            settled[i] = wp.inverse(now) * before
 
 
 @wp.kernel

@@ -8,6 +8,9 @@ from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.scenarios.casting.travelling_slice import shell_thickness
 
 COMPRESSION = 0.10  # of the melt at the lower end, above which the pressure no longer is that of a fluid
+SHARPEST_SOUND = 60.0  # speed of sound times density and spacing over the viscosity, above which the melt boils
+BOILING_TIME = 0.6  # of water on the shell [s]
+MOST_DROPS = 3.0  # of water on one spacing of the shell
 LAYERS = 2.0  # layers of particles that the shell needs where it leaves the mould
 SLOWER = 5  # times slower casting, up to which a speed that would do is looked for
 COARSE = 0.004  # spacing [m] that suffices for the reckoning
@@ -15,7 +18,8 @@ BULGE = 0.05  # of a shell between two rolls, over their distance
 
 
 def refuse_what_cannot_hold(case: CastingParameters) -> None:
-    """Refuse a speed of sound too low for the depth, a shell too thin for the spacing, or too soft for the pressure.
+    """Refuse a speed of sound too low for the depth or too high for the viscosity, more water than there is room for,
+    a shell too thin for the spacing, or too soft for the pressure.
 
     Raises:
         InputError: which parameter, and the value that would do.
@@ -26,8 +30,20 @@ def refuse_what_cannot_hold(case: CastingParameters) -> None:
             f"sound_speed = {case.sound_speed:g}: melt {case.level:g} m deep would be compressed by more than "
             f"{COMPRESSION:.0%}; at least {_at_least(lowest)} m/s would do"
         )
-    if case.mould_bottom > 0.0:
-        _refuse_thin_shell(case)
+    calm = SHARPEST_SOUND * case.viscosity / (case.density * case.spacing)
+    if case.sound_speed > calm:
+        raise InputError(
+            f"sound_speed = {case.sound_speed:g}: a melt of {case.viscosity:g} Pa s does not calm such sound at a "
+            f"spacing of {1e3 * case.spacing:g} mm; at most {_at_most(calm)} m/s would do, or a viscosity of "
+            f"{_at_least(case.viscosity * case.sound_speed / calm)} Pa s"
+        )
+    drops = case.spray_flux / case.spray_particle * BOILING_TIME * case.spacing ** (case.dimension - 1)
+    if drops > MOST_DROPS:
+        raise InputError(
+            f"spray_flux = {case.spray_flux:g}: some {drops:.0f} particles of water would stand on each one of steel; "
+            f"a spray_particle of {_at_least(case.spray_particle * drops / MOST_DROPS)} kg would do"
+        )
+    _refuse_thin_shell(case)
 
 
 def _refuse_thin_shell(case: CastingParameters) -> None:

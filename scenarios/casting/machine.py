@@ -132,15 +132,12 @@ class CastingMachine:
         mould = self._fill(x, (case.mould_bottom, case.mould_top), x)
         mould = mould[self._outside(mould, 0.0)]
         outermost = self._outside(mould, (MOULD_LAYERS - 1) * dx)
+        face = ~self._outside(mould, dx)
+        particles.add(mould[~face], Role.WALL, MOULD, temperature=COOLING_WATER, held=outermost[~face])
         for half in (-0.25 * dx, 0.25 * dx):  # rows as near as this make a face that a shell slides over smoothly
-            particles.add(
-                mould + np.array([0.0, half, 0.0]),
-                Role.WALL,
-                MOULD,
-                temperature=COOLING_WATER,
-                held=outermost,
-                volume=0.5 * dx**case.dimension,
-            )
+            rows = mould[face] + np.array([0.0, half, 0.0])
+            volume = 0.5 * dx**case.dimension
+            particles.add(rows, Role.WALL, MOULD, temperature=COOLING_WATER, volume=volume)
         particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, NOZZLE)
         breadth = W if case.dimension == 3 else 0.0
         rolls = self.rolls.surface(dx, breadth)

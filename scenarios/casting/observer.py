@@ -67,7 +67,10 @@ class CastingObserver:
         late = 1e3 * thickness[times >= (1.0 - EXIT_MEAN) * times[-1]]
         early = values["time"] < self.case.passage - 1e-9
         unsteady = f", not yet steady (the start's strand is gone at {self.case.passage:.3g} s)" if early else ""
-        shell = f"shell at mould exit {1e3 * thickness[-1]:.1f} mm (last third {late.mean():.1f} ± {late.std():.1f} mm)"
+        shell = "no shell at mould exit"
+        if np.all(np.isfinite(late)):
+            now = f"{1e3 * thickness[-1]:.1f} mm"
+            shell = f"shell at mould exit {now} (last third {late.mean():.1f} ± {late.std():.1f} mm)"
         return f"level {values['level']:.3f} m, {shell}{unsteady}"
 
     def memory(self) -> dict[str, Any]:

@@ -30,7 +30,7 @@ class CastingParameters(Scenario):
     spacing: float = parameter(0.004, "m", "particle spacing", ge=2e-4, le=0.01)
     half_width: float = parameter(0.10, "m", "half width of the strand", ge=0.02, le=1.0)
     level: float = parameter(0.44, "m", "height of the meniscus above the outflow", ge=0.1, le=5.0)
-    mould_bottom: float = parameter(0.24, "m", "lower end of the mould", ge=0.0, le=5.0)
+    mould_bottom: float = parameter(0.24, "m", "lower end of the mould", ge=0.02, le=5.0)
     mould_top: float = parameter(0.50, "m", "upper end of the mould", ge=0.05, le=5.5)
     mould_stroke: float = parameter(
         0.006, "m", "stroke of the mould's oscillation, turning point to turning point", ge=0, le=0.05
@@ -50,7 +50,7 @@ class CastingParameters(Scenario):
     nozzle_mouth: float = parameter(0.36, "m", "height of the nozzle's mouth, or of the middle of a port", gt=0, le=5)
     nozzle_width: float = parameter(0.012, "m", "half width of the nozzle's bore, half height of a port", gt=0, le=1.0)
     nozzle_reach: float = parameter(0.05, "m", "distance from the axis at which a side port ends", gt=0, le=1.0)
-    casting_speed: float = parameter(0.01, "m/s", "speed of the strand at the level asked for", gt=0, le=0.2)
+    casting_speed: float = parameter(0.01, "m/s", "speed of the strand at the level asked for", ge=0.001, le=0.2)
     level_gain: float = parameter(
         40.0, "", "relative rise of the pouring speed per relative shortage of level", ge=0, le=1e3
     )
@@ -105,11 +105,13 @@ class CastingParameters(Scenario):
             refuse(
                 "nozzle_width", f"must lie between spacing {self.spacing} m and half of half_width {self.half_width} m"
             )
+        if self.roll_radius < 1.5 * self.spacing:
+            refuse("roll_radius", f"the melt would pass by rolls thinner than 1.5 spacings of {self.spacing} m")
         if 2.0 * self.roll_radius > self.roll_pitch:
             refuse("roll_radius", f"rolls at a roll_pitch of {self.roll_pitch} m must be thinner than that")
         if self.roll_first + self.roll_radius > self.mould_bottom:
             refuse("roll_first", f"the first roll must stand below mould_bottom {self.mould_bottom} m")
-        if any(not 1 <= zone <= self.spray_zones for zone in self.spray_failing):
+        if self.spray_failure is not None and any(not 1 <= zone <= self.spray_zones for zone in self.spray_failing):
             refuse("spray_failing", f"zones are counted from 1 to spray_zones {self.spray_zones}")
         if self.pouring_temperature < self.steel.liquidus:
             refuse("pouring_temperature", f"must lie above the liquidus {self.steel.liquidus:.2f} K")

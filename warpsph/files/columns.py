@@ -13,6 +13,7 @@ from warpsph.errors import InputError
 
 Columns = dict[str, np.ndarray]
 
+PARAVIEW = {"Points:0": "x", "Points:1": "y", "Points:2": "z"}  # as it calls positions in its CSV
 MATERIAL = "material"  # the column that may hold names
 
 
@@ -44,7 +45,8 @@ def _read_csv(path: Path) -> Columns:
         rows = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
     if not rows:
         raise InputError(f"{path}: is empty; its first line must name the columns, such as x,y,temperature")
-    names = [name.strip() for name in rows.pop(0)[1]]
+    names = [PARAVIEW.get(name.strip(), name.strip()) for name in rows.pop(0)[1]]
+    _refuse_other_forms(path, names)
     for name in names:
         if not name or names.count(name) > 1:
             what = f"two columns are called '{name}'" if name else "a column has no name"
@@ -56,6 +58,22 @@ def _read_csv(path: Path) -> Columns:
         name: np.array([row[k].strip() for _, row in rows], str) if name == MATERIAL else _numbers(path, name, k, rows)
         for k, name in enumerate(names)
     }
+
+
+def _refuse_other_forms(path: Path, names: list[str]) -> None:
+    """A header that is no list of names with commas between them."""
+    if len(names) == 1 and any(sign in names[0] for sign in ";\t "):
+        raise InputError(f"{path}: its columns are not parted by commas; write them as in x,y,temperature")
+    if any(_is_number(name) for name in names):
+        raise InputError(f"{path}: has no header; its first line must name the columns, such as x,y,temperature")
+
+
+def _is_number(text: str) -> bool:
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
 
 
 def _numbers(path: Path, name: str, place: int, rows: list[tuple[int, list[str]]]) -> np.ndarray:

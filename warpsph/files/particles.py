@@ -49,6 +49,8 @@ def read_particles(
         InputError: the file, what is wrong with it, and what is expected, in one line.
     """
     path = Path(path)
+    if isinstance(fields, str):
+        raise InputError(f"{path}: fields = '{fields}': must be a list of columns, as in ['{fields}']")
     if dimension not in (2, 3):
         raise InputError(f"{path}: dimension = {dimension!r}: must be 2 or 3, that of the case")
     if path.suffix.lower() == ".vtkhdf":

@@ -18,7 +18,7 @@ from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
 from warpsph.kernels.heat.walls import HeatWalls, add_heat_of_images, count_heat, find_walls_near
-from warpsph.terms.heat_wall import SLACK, HeatWall, refuse_misfits
+from warpsph.terms.heat_wall import LARGEST, SLACK, HeatWall, refuse_misfits
 
 SMOOTHING_KERNEL = "poly6"
 MOST_WALLS = 30  # a bit each
@@ -47,7 +47,7 @@ class Conduction(Term):
         require(self, "films", isinstance(self.films, dict), allowed)
         for pair, conductance in self.films.items():
             named = isinstance(pair, tuple) and len(pair) == 2 and all(isinstance(name, str) for name in pair)
-            require(self, "films", named and 0.0 <= number(conductance) < np.inf, allowed)
+            require(self, "films", named and 0.0 <= number(conductance) <= LARGEST, allowed)
         several = isinstance(self.walls, Sequence) and all(isinstance(wall, HeatWall) for wall in self.walls)
         require(self, "walls", several, "a tuple of HeatWall")
         require(self, "walls", len(self.walls) <= MOST_WALLS, f"{MOST_WALLS} at most")
@@ -157,11 +157,18 @@ class Conduction(Term):
 
         What the ``held`` particles of a row on the wall have taken stands in ``heat_held``.
         """
-        return self.arrays["wall_heat"].numpy().sum(axis=1)
+        return self._of_walls("wall_heat")
 
     def rate_to_walls(self) -> np.ndarray:
         """Heat (walls,) [W] that each wall took in unit time in the last step with heat (per metre of depth in 2D)."""
-        return self.arrays["wall_rate"].numpy().sum(axis=1, dtype=float)
+        return self._of_walls("wall_rate")
+
+    def _of_walls(self, name: str) -> np.ndarray:
+        if not self.walls:
+            return np.zeros(0)
+        if name not in self.arrays:
+            raise InputError("Conduction: it belongs to no simulation yet; build one first")
+        return self.arrays[name].numpy().sum(axis=1, dtype=float)
 
     def _films(self, model: Model) -> np.ndarray:
         """Conductivity over distance (materials, materials) [W/(m^2 K)] in series with a pair, infinite without a film.

@@ -107,7 +107,13 @@ class Elasticity(Term):
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         densities = np.array([material.density for material in model.materials])
         volume = fields["mass"] / densities[fields["material"]]
-        return {"froze": fields["phase"] == Phase.SOLID, "body_volume": volume}
+        unstrained = np.tile(np.eye(3), (len(particles), 1, 1))
+        return {
+            "froze": fields["phase"] == Phase.SOLID,
+            "body_volume": volume,
+            "deformation": unstrained,
+            "settled": unstrained,
+        }
 
     def allocate(self, model: Model, state: State) -> None:
         lattice = Lattice(model.dimension, model.spacing, self.reach(model) / model.spacing)

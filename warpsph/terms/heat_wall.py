@@ -6,9 +6,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from warpsph.core.model import Model
-from warpsph.errors import InputError, require
+from warpsph.errors import InputError, number, require
 
 PERPENDICULAR = 1.0e-3  # largest cosine between planes whose images are those of a corner
+LARGEST = 1.0e30  # of numbers that single precision has to hold
 SLACK = 0.25  # spacings by which a particle may be behind a wall and count as on it
 
 
@@ -36,12 +37,17 @@ class HeatWall:
     flux: float
 
     def __post_init__(self) -> None:
-        unit = np.shape(self.normal) == (3,) and abs(float(np.linalg.norm(self.normal)) - 1.0) < 1e-6
+        three = np.shape(self.normal) == (3,) and all(np.isfinite(number(n)) for n in self.normal)
+        unit = three and abs(float(np.linalg.norm(self.normal)) - 1.0) < 1e-6
         require(self, "normal", unit, "a unit vector of three numbers")
-        require(self, "offset", bool(np.isfinite(self.offset)), "a number [m]")
-        require(self, "conductance", self.conductance >= 0.0, "zero or positive [W/(m^2 K)]")
-        require(self, "outside", bool(np.isfinite(self.outside)), "a temperature [K]")
-        require(self, "flux", bool(np.isfinite(self.flux)), "a number [W/m^2]")
+        require(self, "offset", bool(np.isfinite(number(self.offset))), "a number [m]")
+        conductance = number(self.conductance)
+        allowed = f"zero, positive up to {LARGEST:g}, or infinite [W/(m^2 K)]"
+        require(self, "conductance", 0.0 <= conductance <= LARGEST or conductance == np.inf, allowed)
+        require(self, "outside", abs(number(self.outside)) <= LARGEST, "a temperature [K]")
+        require(self, "flux", abs(number(self.flux)) <= LARGEST, "a number [W/m^2]")
+        given_twice = conductance == np.inf and self.flux != 0.0
+        require(self, "flux", not given_twice, "zero where the temperature of the surface is given")
 
     @classmethod
     def at_temperature(cls, normal: Sequence[float], offset: float, temperature: float) -> "HeatWall":

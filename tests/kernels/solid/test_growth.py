@@ -17,19 +17,21 @@ SPACING, STEEL, ROWS = 0.01, thesis_steel(), 6
 class Growing:
     """A solid block, deformed, beside a row of melt of no pressure that can be made to freeze or melt."""
 
-    def __init__(self, device: str, dimension: int, F: np.ndarray):
+    def __init__(self, device: str, dimension: int, F: np.ndarray, squeeze: float = 1.0):
         size = (ROWS * SPACING,) * dimension
         x = lattice((0.0,) * dimension, size, SPACING)
         cold = x[:, 0] < (ROWS - 1) * SPACING
+        x *= squeeze
         particles = Particles()
         particles.add(x, Role.FREE, temperature=np.where(cold, STEEL.solidus - 100.0, STEEL.liquidus + 100.0))
-        terms = (Fluid(2100.0, 10.0), SummedDensity(), Conduction(), PhaseChange(), Elasticity(4e5, 0.3, hourglass=0.0))
+        terms = (Fluid(2100.0, 10.0), SummedDensity(), Conduction(), PhaseChange(), Elasticity(4e5, 0.3))
         model = Model(dimension, SPACING, (STEEL,), terms, gravity=(0.0, 0.0, 0.0))
         self.simulation = Simulation(Executor(device), model, particles)
         self.simulation.prepare()
         self.state, self.act = self.simulation.state, self.simulation.solver.act
         self.solid = self.state.numpy("phase") == Phase.SOLID
-        self.state.pressure.zero_()
+        if squeeze == 1.0:
+            self.state.pressure.zero_()
         self.move(F)
 
     def move(self, F: np.ndarray) -> None:
@@ -60,7 +62,7 @@ STRETCHED = np.diag([1.03, 1.0, 1.0]) + 0.02 * np.eye(3)[[1, 0, 2]] * [1.0, 1.0,
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
-@pytest.mark.parametrize("angle", [0.0, 1.0])
+@pytest.mark.parametrize("angle", [0.0, 0.3, 1.57, 3.1])
 def test_what_freezes_on_a_strained_solid_leaves_its_stress_alone(device, dimension, angle):
     """The bonds that come in would wipe out part of the strain, and the shell would jerk with every particle."""
     block = Growing(device, dimension, turned(angle) @ STRETCHED)
@@ -70,9 +72,35 @@ def test_what_freezes_on_a_strained_solid_leaves_its_stress_alone(device, dimens
     block.solidify(1.0)
     force = block.force()
     assert np.all(block.state.numpy("phase") == Phase.SOLID)
-    assert np.allclose(block.strain()[block.solid], strain, atol=1e-5)
-    assert np.allclose(block.strain()[~block.solid], 0.0, atol=1e-5)
+    assert np.allclose(block.strain()[block.solid], strain, atol=2e-5)
+    assert np.allclose(block.strain()[~block.solid], 0.0, atol=2e-5)
     assert np.abs(np.sum(force, axis=0)).max() < 1e-4 * np.abs(force).sum()
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("angle", [0.3, 1.57, 3.1])
+def test_freezing_on_a_solid_that_has_only_turned_makes_no_force(device, dimension, angle):
+    """Bonds that do not know of the turn would pull at those that do; a stretch by 3 % stands for comparison."""
+    stretched = Growing(device, dimension, STRETCHED)
+    stretched.solidify(1.0)
+    block = Growing(device, dimension, turned(angle))
+    block.solidify(1.0)
+    assert np.abs(block.force()).max() < 1e-4 * np.abs(stretched.force()).max()
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("angle", [0.0, 0.3, 1.57, 2.5])
+def test_freezing_under_pressure_makes_no_torque(device, dimension, angle):
+    """A body that freezes as it turns would spin itself up."""
+    block = Growing(device, dimension, turned(angle), squeeze=0.98)
+    before = block.force()
+    block.solidify(1.0)
+    after = block.force()
+    x = block.state.numpy("position").astype(float)
+    torques = np.cross(x - x.mean(axis=0), after)
+    assert np.abs(before).max() > 0.1
+    assert np.abs(after - before).max() < 1e-3 * np.abs(before).max()
+    assert np.abs(torques.sum(axis=0)).max() < 1e-4 * np.abs(torques).sum()
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
@@ -96,3 +124,25 @@ def test_a_solid_that_has_grown_under_strain_turns_without_force(device, dimensi
     before = block.force()
     block.move(turned(1.0))
     assert np.allclose(block.force(), before @ turned(1.0).T, atol=2e-3 * np.abs(before).max())
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_solid_that_spins_keeps_its_angular_momentum(device, dimension):
+    """The viscosity of the melt it was would stop it after a radian."""
+    x = lattice((-4 * SPACING,) * dimension, (4 * SPACING,) * dimension, SPACING)
+    x = x[np.linalg.norm(x, axis=1) < 4 * SPACING]
+    particles = Particles()
+    spin = 20.0 * np.cross([0.0, 0.0, 1.0], x)
+    particles.add(x, Role.FREE, temperature=STEEL.solidus - 100.0, velocity=spin)
+    terms = (Fluid(2100.0, 10.0), SummedDensity(), Conduction(), PhaseChange(), Elasticity(4e5, 0.3))
+    simulation = Simulation(
+        Executor(device), Model(dimension, SPACING, (STEEL,), terms, gravity=(0.0, 0.0, 0.0)), particles
+    )
+
+    def momentum() -> np.ndarray:
+        s = simulation.snapshot()
+        return np.sum(s["mass"][:, None] * np.cross(s["position"].astype(float), s["velocity"]), axis=0)
+
+    before = momentum()
+    simulation.run(0.1, 0.1)
+    assert np.allclose(momentum(), before, atol=1e-3 * before[2])

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from warpsph.cases.case import preset_layer, resolve
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.errors import InputError
@@ -59,12 +60,12 @@ def test_threads_do_not_change_a_bit(result):
     ("key", "value"),
     [
         ("roll_radius", 0.03),
+        ("roll_radius", 0.001),
         ("level", 0.6),
         ("nozzle_mouth", 0.1),
         ("nozzle_mouth", 0.45),
         ("nozzle_width", 0.06),
         ("roll_first", 0.3),
-        ("spray_failing", (4,)),
         ("pouring_temperature", 1700.0),
     ],
 )
@@ -104,3 +105,20 @@ def test_a_strand_that_has_passed_through_is_an_event():
         values = {name: given.value for name, given in observe(simulation.snapshot(), time).items()}
         assert ("not yet steady" in describe(values | {"time": time})) == (time < case.passage)
     assert [time for time, text in simulation.events.all if "passed through" in text] == [case.passage]
+
+
+def test_zones_that_fail_must_be_there():
+    """A failure that no zone has would be a control run by mistake; without one the default does not matter."""
+    with pytest.raises(InputError, match="spray_failing"):
+        Casting(spray_failure=1.0, spray_failing=(4,))
+    Casting(spray_zones=1)
+
+
+@pytest.mark.parametrize("change", [{}, {"spray_zones": 20}, {"roll_first": 0.07}])
+def test_the_billet_begins(change):
+    """Its mould has more particles within reach of one than any other case."""
+    case = resolve(Casting, [preset_layer(Casting, "billet")]).model_copy(update=change)
+    result = case.model_copy(update={"duration": 0.01, "output_interval": 0.005}).run(device="cpu")
+    assert result.status == "complete"
+    assert result.diagnostics["water_inside"][-1] == 0.0
+    assert np.isfinite(result.diagnostics["shell_thickness"][-1]).all()
