@@ -80,15 +80,15 @@ def casting_thesis(picture: Path) -> None:
 
 @figure
 def casting_diagnostics(picture: Path) -> None:
-    """All diagnostics of the same run."""
-    plot_diagnostics(simulated("casting", "thesis"), picture)
+    """All diagnostics of a strand that becomes steady."""
+    plot_diagnostics(simulated("casting", "steady"), picture)
 
 
 @figure
 def casting_shell(picture: Path) -> None:
     """Thickness and surface temperature of the shell along the height, beside one-dimensional conduction."""
-    result = simulated("casting", "thesis")
-    case = resolve(find_scenario("casting"), [preset_layer(find_scenario("casting"), "thesis")])
+    result = simulated("casting", "steady")
+    case = resolve(find_scenario("casting"), [preset_layer(find_scenario("casting"), "steady")])
     series = result.diagnostics
     heights, last_third = series["height"][0], series["time"] > 2.0 / 3.0 * series["time"][-1]
     profiles = case.slices(heights)

@@ -99,3 +99,18 @@ def test_events_reach_file_and_result(tmp_path):
     simulation.events.note(0.0, "start")
     result = simulation.run(0.01, 0.01, output=path)
     assert result.events == ResultFile(path).events == [(0.0, "start")]
+
+
+def test_what_has_become_of_a_run_is_its_status(tmp_path):
+    """A strand that is lost would be complete, and nobody would look at it."""
+    path = tmp_path / "run.vtkhdf"
+
+    def observe(state, time):
+        if time > 0.05:
+            simulation.events.outcome = "block lost"
+        return {}
+
+    simulation = falling_block(observe=observe)
+    assert simulation.run(0.04, 0.02).status == "complete"
+    assert simulation.run(0.04, 0.02, output=path).status == "block lost"
+    assert ResultFile(path).provenance["status"] == "block lost"
