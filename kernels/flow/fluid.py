@@ -13,7 +13,8 @@ class FluidConstants:
 
     ``support`` H [m]; ``density_scale`` normalisation of the density's smoothing kernel; ``reference_density`` rho_0
     [kg/m^3]; ``stiffness`` c_s^2 rho_0 / gamma [Pa]; ``lowest_pressure`` [Pa], 0 where tension is forbidden;
-    ``pressure_scale`` and ``viscosity_scale`` normalisations of the pressure and viscosity sums.
+    ``pressure_scale`` and ``viscosity_scale`` normalisations of the pressure and viscosity sums; ``bond_damping``, by
+    which viscosity along the line of two particles alone damps shear as much as all of it does.
     """
 
     support: float
@@ -23,6 +24,7 @@ class FluidConstants:
     lowest_pressure: float
     pressure_scale: float
     viscosity_scale: float
+    bond_damping: float
 
 
 @wp.func

@@ -54,7 +54,7 @@ def add_fluid_forces(
                 mu_ij = 2.0 * mu_i * mu_j / (mu_i + mu_j + 1.0e-20)
                 u_ji = velocity[j] - u_i
                 if entry < 0:
-                    u_ji = d * (wp.dot(d, u_ji) / (r_squared + 1.0e-20))
+                    u_ji = d * (fluid.bond_damping * wp.dot(d, u_ji) / (r_squared + 1.0e-20))
                 # Vijaykumar (2.5)
                 laplacian = viscosity_laplacian(r_squared, fluid.support)
                 viscous_sum += u_ji * (mu_ij * volume[j] * laplacian)

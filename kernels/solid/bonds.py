@@ -14,6 +14,8 @@ UNCHANGED = wp.constant(0)
 CHANGED = wp.constant(1)
 NEW = wp.constant(2)
 
+SMALLEST_VOLUME = wp.constant(0.1)  # over the one at freezing, below which a deformation is not looked at
+
 
 @wp.struct
 class BondList:
@@ -31,6 +33,28 @@ class BondList:
 
 
 @wp.func
+def turn_of(deformation: wp.mat33, planar: int) -> wp.mat33:
+    """The rotation in a deformation gradient (polar decomposition); none in one that turns a body inside out.
+
+    In the plane nothing may leave it, not even by rounding: no force would bring it back.
+    """
+    turn = wp.identity(n=3, dtype=float)
+    if wp.determinant(deformation) > SMALLEST_VOLUME:
+        if planar != 0:
+            cosine = deformation[0, 0] + deformation[1, 1]
+            sine = deformation[1, 0] - deformation[0, 1]
+            length = wp.sqrt(cosine * cosine + sine * sine)
+            turn[0, 0] = cosine / length
+            turn[1, 1] = cosine / length
+            turn[1, 0] = sine / length
+            turn[0, 1] = -sine / length
+        else:
+            U, _, V = wp.svd3(deformation)
+            turn = U * wp.transpose(V)
+    return turn
+
+
+@wp.func
 def copy_bond(bonds: BondList, source: int, target: BondList, place: int):
     target.partner[place] = bonds.partner[source]
     target.separation[place] = bonds.separation[source]
@@ -44,6 +68,7 @@ def update_bonds(
     first: int,
     reach: float,
     scale: float,
+    planar: int,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     position_carry: wp.array[wp.vec3],
@@ -58,11 +83,11 @@ def update_bonds(
     """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``,
     of the same ``body``.
 
-    A particle that freezes later joins a body that has turned and is strained: its bonds keep the separation of that
-    moment (Vijaykumar 2012, equation 4.6), drawn back by the ``deformation`` (n,) of both ends to where the other bonds
-    count from. ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. ``rebonded`` (n,) marks where
-    bonds have come or gone, and where they are the first ones. A row that would overflow is cut and its full length
-    goes to ``longest_bond_row`` (1,).
+    A particle that freezes later joins a body that has turned: its bonds keep the separation of that moment
+    (Vijaykumar 2012, equation 4.6), turned back by the rotation in the ``deformation`` (n,) of both ends to where the
+    other bonds count from. ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. ``rebonded`` (n,)
+    marks where bonds have come or gone, and where they are the first ones. A row that would overflow is cut and its
+    full length goes to ``longest_bond_row`` (1,).
     """
     i = wp.tid() + first
     n = int(0)
@@ -82,7 +107,7 @@ def update_bonds(
                 d = precise_difference(position, position_carry, i, j)
                 if wp.dot(d, d) < reach * reach:
                     if n < bonds.capacity:
-                        X = wp.inverse(0.5 * (deformation[i] + deformation[j])) * d
+                        X = wp.transpose(turn_of(deformation[i] + deformation[j], planar)) * d
                         bonds.partner[row + n] = j
                         bonds.separation[row + n] = X
                         bonds.slope[row + n] = scale * sine_slope(wp.dot(X, X), reach)
@@ -111,7 +136,7 @@ def join_body(
 ):
     """Let what just ``froze`` join the ``body`` (n,) of the nearest particle that was solid before, if there is one.
 
-    It takes over the ``deformation`` (n,) of that particle: the body has turned and is strained where it joins it.
+    It takes over the ``deformation`` (n,) of that particle: the body has turned where it joins it.
     """
     i = wp.tid() + first
     if froze[i] != 0:

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.neighbours.pairs import precise_difference
-from warpsph.kernels.solid.bonds import CHANGED, UNCHANGED, BondList
+from warpsph.kernels.solid.bonds import CHANGED, SMALLEST_VOLUME, UNCHANGED, BondList
 
 wp.set_module_options({"enable_backward": False})
 
@@ -12,7 +12,6 @@ wp.set_module_options({"enable_backward": False})
 # cube, 0 in a row or a pair; and the smallest, because its inverse is how much stiffer a particle of few bonds is made.
 WORST_CONDITION = wp.constant(0.1)
 SMALLEST_MOMENT = wp.constant(0.06)
-SMALLEST_VOLUME = wp.constant(0.1)  # over the one at freezing, below which a deformation is not inverted
 
 
 @wp.struct

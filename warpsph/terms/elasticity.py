@@ -124,7 +124,8 @@ class Elasticity(Term):
     def constants(self, model: Model, state: State) -> dict[str, object]:
         reach = self.reach(model)
         scale = normalisation("sine", model.dimension, reach)
-        constants = {"elastic": self._constants(model), "reach": reach, "scale": scale}
+        planar = int(model.dimension == 2)
+        constants = {"elastic": self._constants(model), "reach": reach, "scale": scale, "planar": planar}
         return constants | ({"fluid": fluid_constants(model)} if model.find(Fluid) else {})
 
     def reach(self, model: Model) -> float:

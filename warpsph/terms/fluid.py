@@ -123,5 +123,6 @@ def fluid_constants(model: Model) -> FluidConstants:
     gradient = lattice.slope("spiky") / lattice.density()
     viscosity = lattice.curvature("viscosity") / lattice.density()
     constants.pressure_scale = normalisation("spiky", model.dimension, model.support) / gradient
+    constants.bond_damping = model.dimension + 2.0
     constants.viscosity_scale = normalisation("viscosity", model.dimension, model.support) / viscosity
     return constants
