@@ -12,6 +12,16 @@ from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 CONDUCTING = ("poly6", "cubic_spline")  # the smoothing kernels of conduction
+THINNEST = wp.constant(1.0e-3)  # spacings, of a layer of solid or liquid in a particle: nothing is divided by zero
+
+
+def for_conducting(
+    make: Callable[[wp.Function, bool], Callable[..., None]], form: str, module: str, sharp: bool
+) -> dict[str, wp.Kernel]:
+    """Kernels by smoothing kernel, of which ``make`` defines one; ``sharp``: whether particles have fronts in them."""
+    return for_each_smoothing_kernel(
+        lambda shape: make(shape, sharp), form, CONDUCTING, module, "_sharp" if sharp else ""
+    )
 
 
 @wp.struct
@@ -49,7 +59,23 @@ def pair_conductivity(table: ThermalTable, a: int, b: int, k_a: float, k_b: floa
     return k
 
 
-def _sum_heat(slope: wp.Function) -> Callable[..., None]:
+@wp.func
+def towards(table: ThermalTable, material: int, conductivity: float, solid_fraction: float, difference: float) -> float:
+    """Conductivity [W/(m K)] of a particle towards one that is colder by ``difference`` [K], which may be negative.
+
+    A particle that freezes at one temperature has a front in it. On its colder side, half a spacing, heat passes as
+    much solid as is in it, f of a spacing, so it conducts 1 / 2f of what solid does; on its warmer side 1 / 2(1 - f) of
+    what liquid does.
+    """
+    f = solid_fraction
+    if f > 0.0 and f < 1.0 and table.solidus[material] == table.liquidus[material]:
+        if difference > 0.0:
+            return table.conductivity_solid[material] / (2.0 * f + THINNEST)
+        return table.conductivity_liquid[material] / (2.0 * (1.0 - f) + THINNEST)
+    return conductivity
+
+
+def _sum_heat(slope: wp.Function, sharp: bool) -> Callable[..., None]:
     def sum_heat(
         first: int,
         table: ThermalTable,
@@ -58,6 +84,7 @@ def _sum_heat(slope: wp.Function) -> Callable[..., None]:
         role: wp.array[int],
         temperature: wp.array[float],
         conductivity: wp.array[float],
+        solid_fraction: wp.array[float],
         thermal_volume: wp.array[float],
         material: wp.array[int],
         heat_rate: wp.array[float],
@@ -77,14 +104,19 @@ def _sum_heat(slope: wp.Function) -> Callable[..., None]:
             if role[j] != Role.RESERVOIR:
                 d = x_i - position[j]
                 r_squared = wp.dot(d, d)
-                k_pair = pair_conductivity(table, material[i], material[j], k_i, conductivity[j], r_squared)
+                k_a, k_b = k_i, float(conductivity[j])
+                if wp.static(sharp):
+                    difference = T_i - temperature[j]
+                    k_a = towards(table, material[i], k_i, solid_fraction[i], difference)
+                    k_b = towards(table, material[j], k_b, solid_fraction[j], -difference)
+                k_pair = pair_conductivity(table, material[i], material[j], k_a, k_b, r_squared)
                 total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * slope(r_squared, table.support)
         heat_rate[i] = 2.0 * table.scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass
 
     return sum_heat
 
 
-SUM_HEAT = for_each_smoothing_kernel(_sum_heat, "slope", CONDUCTING, __name__)
+SUM_HEAT = {sharp: for_conducting(_sum_heat, "slope", __name__, sharp) for sharp in (False, True)}
 
 
 @wp.func

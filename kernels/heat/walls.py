@@ -5,8 +5,7 @@ from collections.abc import Callable
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
-from warpsph.kernels.basics.specialised import for_each_smoothing_kernel
-from warpsph.kernels.heat.conduction import CONDUCTING, ThermalTable, pair_conductivity
+from warpsph.kernels.heat.conduction import ThermalTable, for_conducting, pair_conductivity, towards
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
@@ -104,6 +103,16 @@ def drop_across(walls: HeatWalls, p: int, T: float, d: float, k: float) -> float
     return share * (T - walls.outside[p]) + 2.0 * d * walls.flux[p] / k
 
 
+@wp.func
+def behind_walls(walls: HeatWalls, chain: wp.vec3i, T: float, d: wp.vec3, k: float) -> float:
+    """Temperature [K] of the image in all planes of the ``chain`` of what is at the distances ``d`` [m] from them."""
+    image = float(T)
+    for m in range(3):
+        if chain[m] >= 0:
+            image -= drop_across(walls, chain[m], image, wp.max(d[m], 0.0), k)
+    return image
+
+
 @wp.kernel
 def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position: wp.array[wp.vec3], id: wp.array[int]):
     """Write ``walls.near`` and ``walls.behind`` (n,), and set ``walls.rate`` (walls, n) to zero."""
@@ -120,7 +129,7 @@ def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position:
     walls.behind[i] = behind
 
 
-def _add_heat_of_images(slope: wp.Function) -> Callable[..., None]:
+def _add_heat_of_images(slope: wp.Function, sharp: bool) -> Callable[..., None]:
     def add_heat_of_images(
         first: int,
         table: ThermalTable,
@@ -130,6 +139,7 @@ def _add_heat_of_images(slope: wp.Function) -> Callable[..., None]:
         role: wp.array[int],
         temperature: wp.array[float],
         conductivity: wp.array[float],
+        solid_fraction: wp.array[float],
         thermal_volume: wp.array[float],
         material: wp.array[int],
         id: wp.array[int],
@@ -156,7 +166,11 @@ def _add_heat_of_images(slope: wp.Function) -> Callable[..., None]:
             if role[j] != Role.RESERVOIR and (walls.behind[i] ^ walls.behind[j]) & near != 0:
                 d = x_i - position[j]
                 r_squared = wp.dot(d, d)
-                k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
+                k_i, k_j = float(conductivity[i]), float(conductivity[j])
+                if wp.static(sharp):
+                    k_i = towards(table, material[i], k_i, solid_fraction[i], T_i - temperature[j])
+                    k_j = towards(table, material[j], k_j, solid_fraction[j], temperature[j] - T_i)
+                k_pair = pair_conductivity(table, material[i], material[j], k_i, k_j, r_squared)
                 weight = k_pair * thermal_volume[j] * slope(r_squared, table.support)
                 total -= weight * (T_i - temperature[j])
         factor = 2.0 * table.scale * thermal_volume[i]
@@ -185,6 +199,12 @@ def _add_heat_of_images(slope: wp.Function) -> Callable[..., None]:
                         table, material[i], material[j], conductivity[i], conductivity[j], r_squared
                     )
                     if k_pair > 0.0 and role[j] != Role.RESERVOIR:
+                        if wp.static(sharp):  # each of the two sees the image of the other
+                            colder = T_i - behind_walls(walls, chain, temperature[j], d_j, k_pair)
+                            k_i = towards(table, material[i], conductivity[i], solid_fraction[i], colder)
+                            colder = temperature[j] - behind_walls(walls, chain, T_i, d_i, k_pair)
+                            k_j = towards(table, material[j], conductivity[j], solid_fraction[j], colder)
+                            k_pair = pair_conductivity(table, material[i], material[j], k_i, k_j, r_squared)
                         weight = k_pair * thermal_volume[j] * slope(r_squared, table.support)
                         T = float(temperature[j])
                         for m in range(3):
@@ -201,7 +221,7 @@ def _add_heat_of_images(slope: wp.Function) -> Callable[..., None]:
     return add_heat_of_images
 
 
-ADD_HEAT_OF_IMAGES = for_each_smoothing_kernel(_add_heat_of_images, "slope", CONDUCTING, __name__)
+ADD_HEAT_OF_IMAGES = {sharp: for_conducting(_add_heat_of_images, "slope", __name__, sharp) for sharp in (False, True)}
 
 
 @wp.kernel

@@ -23,10 +23,10 @@ from warpsph.terms.heat_wall import SLACK, HeatWall, refuse_misfits
 
 MOST_WALLS = 30  # a bit each
 
-# Longest stable interval by smoothing kernel, in rho c H^2 / k, and where it comes from.
+# Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what square lattices bear, H = 2 to 3 dx.
 STABLE = {
-    "poly6": (0.1, "(7.7)"),  # Vijaykumar (7.7) with zeta = 0.1 and the support H
-    "cubic_spline": (0.15 / 4.0, "(2.20)"),  # Monaghan (2.20), with H = 2h
+    "poly6": (0.1, "(7.7)", 0.116),  # Vijaykumar (7.7) with zeta = 0.1 and the support H
+    "cubic_spline": (0.15 / 4.0, "(2.20)", 0.347 / 4.0),  # Monaghan (2.20), with H = 2h
 }
 
 
@@ -42,6 +42,8 @@ class Conduction(Term):
         support_ratio: its support over the spacing, by default that of the model; a cubic spline of smoothing length h
             has the support 2h.
         exact_on_lattice: whether the sum is divided by what the lattice makes of a linear profile.
+        sharp_fronts: whether a particle of a pure substance that freezes has a front in it, solid on its colder side
+            and liquid on the other, instead of one conductivity in between. For what is at rest on a lattice.
 
     One with walls belongs to one simulation; ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are then
     device arrays that may be changed during a run.
@@ -53,6 +55,7 @@ class Conduction(Term):
     smoothing: str = "poly6"
     support_ratio: float | None = None
     exact_on_lattice: bool = True
+    sharp_fronts: bool = False
 
     def __post_init__(self) -> None:
         require(self, "longest_interval", number(self.longest_interval) > 0.0, "positive [s]")
@@ -119,7 +122,9 @@ class Conduction(Term):
         """By pair of materials, for the conductivity that the pair has, and the longest interval asked for."""
         limits = {"longest interval": self.longest_interval}
         films, support = self._films(model), self.lattice(model).support
-        share, equation = STABLE[self.smoothing]
+        share, equation, borne = STABLE[self.smoothing]
+        if self.sharp_fronts:
+            share = min(share, 0.5 * borne)  # a thin layer lets up to twice as much pass
         for a, material in enumerate(model.materials):
             capacity = _lowest_heat_capacity(material)
             for b, other in enumerate(model.materials):
@@ -133,10 +138,10 @@ class Conduction(Term):
         return limits
 
     def sum_heat(self, launch: Launch) -> None:
-        launch(SUM_HEAT[self.smoothing])
+        launch(SUM_HEAT[self.sharp_fronts][self.smoothing])
         if self.walls:
             launch(find_walls_near)
-            launch(ADD_HEAT_OF_IMAGES[self.smoothing])
+            launch(ADD_HEAT_OF_IMAGES[self.sharp_fronts][self.smoothing])
 
     def add_heat(self, launch: Launch) -> None:
         launch(add_heat)

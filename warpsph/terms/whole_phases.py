@@ -38,6 +38,10 @@ class WholePhases(Term):
         conduction = model.find(Conduction)
         if conduction is None:
             raise InputError("WholePhases reads the curves of Conduction; another conduction was given")
+        if conduction.sharp_fronts:
+            raise InputError(
+                "WholePhases and Conduction(sharp_fronts=True) exclude each other: one conductivity, or two"
+            )
         return {"table": conduction.constants(model, state)["table"]}
 
     def change_phases(self, launch: Launch) -> None:
