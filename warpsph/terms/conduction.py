@@ -23,10 +23,10 @@ from warpsph.terms.heat_wall import SLACK, HeatWall, refuse_misfits
 
 MOST_WALLS = 30  # a bit each
 
-# Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what square lattices bear, H = 2 to 3 dx.
+# Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what lattices bear, H = 2 to 3 dx.
 STABLE = {
-    "poly6": (0.1, "(7.7)", 0.116),  # Vijaykumar (7.7) with zeta = 0.1 and the support H
-    "cubic_spline": (0.15 / 4.0, "(2.20)", 0.347 / 4.0),  # Monaghan (2.20), with H = 2h
+    "poly6": (0.1, "(7.7)", 0.1),  # Vijaykumar (7.7) with zeta = 0.1 and the support H
+    "cubic_spline": (0.15 / 4.0, "(2.20)", 0.081),  # Monaghan (2.20), with H = 2h
 }
 
 
