@@ -11,6 +11,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
+from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stefan
 from matplotlib.colors import LogNorm
 
 from warpsph.cases.case import preset_layer, resolve, settings_layer
@@ -229,6 +230,51 @@ def heat_slab(picture: Path) -> None:
     axes[2].legend(frameon=False)
     drawing.savefig(picture, dpi=150)
     plt.close(drawing)
+
+
+@figure
+def stefan_slab(picture: Path) -> None:
+    """Temperature and heat lost through the slab that freezes, as published and by the default."""
+    published = ("planes=false", "exact_on_lattice=false", "phases=stored")
+    runs = {"published": simulated("stefan_slab", "paper"), "default": simulated("stefan_slab")}
+    unequal = {
+        "published": simulated("stefan_slab", "unequal", *published),
+        "default": simulated("stefan_slab", "unequal"),
+    }
+    draw_stefan(runs, unequal, picture)
+
+
+@figure
+def point_sink(picture: Path) -> None:
+    """Particles, heat lost and temperature around the sink."""
+    strong = ("similarity=0.2", "duration=316666.666667", "output_interval=3166.66666667")
+    runs = [
+        ("published, λ = 0.15, 40 particles", simulated("point_sink", "paper")),
+        ("published, λ = 0.15, 50 particles", simulated("point_sink", "paper", "particles=50")),
+        ("published, λ = 0.20, 40 particles", simulated("point_sink", "paper", *strong)),
+        ("default, λ = 0.15, 40 particles", simulated("point_sink")),
+    ]
+    draw_sink(runs, picture)
+
+
+@figure
+def point_sink_radius(picture: Path) -> None:
+    """The radius of the ice over time, and its error against the spacing."""
+    counts = (20, 30, 40, 50)
+    published = {n: simulated("point_sink", "paper", f"particles={n}") for n in counts}
+    draw_sink_radius(published, {n: simulated("point_sink", None, f"particles={n}") for n in counts}, picture)
+
+
+@figure
+def cavity(picture: Path) -> None:
+    """The cavity at three times, and the share that has frozen."""
+    result = simulated("cavity")
+    shares = {
+        "80 particles a metre": simulated("cavity", None, "across=80"),
+        "40": result,
+        "40, published conduction": simulated("cavity", "paper"),
+    }
+    draw_cavity(result, [120000.0, 360000.0, 600000.0], shares, picture)
 
 
 @figure

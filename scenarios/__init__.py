@@ -10,16 +10,22 @@ from warpsph.scenarios.elastic.rubber_rings import RubberRings
 from warpsph.scenarios.flow.dam_break import DamBreak
 from warpsph.scenarios.flow.drop import Drop
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
+from warpsph.scenarios.freezing.cavity import Cavity
+from warpsph.scenarios.freezing.point_sink import PointSink
+from warpsph.scenarios.freezing.stefan_slab import StefanSlab
 
 __all__ = [
     "Breakout",
     "Cantilever",
     "Casting",
+    "Cavity",
     "DamBreak",
     "Drop",
     "HeatGaussian",
     "HeatSlab",
     "Hydrostatic",
+    "PointSink",
     "RotatedDisc",
     "RubberRings",
+    "StefanSlab",
 ]

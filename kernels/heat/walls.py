@@ -1,10 +1,11 @@
 """Heat conduction between particles and their mirror images behind plane walls."""
 
+from collections.abc import Callable
+
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
-from warpsph.kernels.basics.smoothing import poly6_slope
-from warpsph.kernels.heat.conduction import ThermalTable, pair_conductivity
+from warpsph.kernels.heat.conduction import ThermalTable, for_conducting, pair_conductivity, towards
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
@@ -102,6 +103,16 @@ def drop_across(walls: HeatWalls, p: int, T: float, d: float, k: float) -> float
     return share * (T - walls.outside[p]) + 2.0 * d * walls.flux[p] / k
 
 
+@wp.func
+def behind_walls(walls: HeatWalls, chain: wp.vec3i, T: float, d: wp.vec3, k: float) -> float:
+    """Temperature [K] of the image in all planes of the ``chain`` of what is at the distances ``d`` [m] from them."""
+    image = float(T)
+    for m in range(3):
+        if chain[m] >= 0:
+            image -= drop_across(walls, chain[m], image, wp.max(d[m], 0.0), k)
+    return image
+
+
 @wp.kernel
 def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position: wp.array[wp.vec3], id: wp.array[int]):
     """Write ``walls.near`` and ``walls.behind`` (n,), and set ``walls.rate`` (walls, n) to zero."""
@@ -118,81 +129,99 @@ def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position:
     walls.behind[i] = behind
 
 
-@wp.kernel
-def add_heat_of_images(
-    first: int,
-    table: ThermalTable,
-    neighbours: NeighbourList,
-    walls: HeatWalls,
-    position: wp.array[wp.vec3],
-    role: wp.array[int],
-    temperature: wp.array[float],
-    conductivity: wp.array[float],
-    thermal_volume: wp.array[float],
-    material: wp.array[int],
-    id: wp.array[int],
-    heat_rate: wp.array[float],
-):
-    """Add to ``heat_rate`` (n,) [W] what the images behind walls give, and take away what came across a wall.
+def _add_heat_of_images(slope: wp.Function, sharp: bool) -> Callable[..., None]:
+    def add_heat_of_images(
+        first: int,
+        table: ThermalTable,
+        neighbours: NeighbourList,
+        walls: HeatWalls,
+        position: wp.array[wp.vec3],
+        role: wp.array[int],
+        temperature: wp.array[float],
+        conductivity: wp.array[float],
+        solid_fraction: wp.array[float],
+        thermal_volume: wp.array[float],
+        material: wp.array[int],
+        id: wp.array[int],
+        heat_rate: wp.array[float],
+    ):
+        """Add to ``heat_rate`` (n,) [W] what the images behind walls give, and take away what came across a wall.
 
-    The sum of :func:`warpsph.kernels.heat.conduction.sum_heat` goes over the images of the particles, their own among
-    them, in one plane, in two and in three at right angles (method of images). The distance to an image is
-    r'^2 = r^2 + 4 d_i d_j for each plane, d the distances from it; no image is nearer than the particle itself, so the
-    list of neighbours has all. What a particle would give to the other one's image is antisymmetric in the pair; the
-    walls take what the image is colder. An image in several planes is that of an image: softest planes first, because
-    a wall of given temperature turns the sign of a flux behind it.
-    """
-    i = wp.tid() + first
-    near = walls.near[i]
-    if near == 0 or role[i] == Role.RESERVOIR:
-        return
-    x_i = position[i]
-    T_i = temperature[i]
-    total = float(0.0)
-    for k in range(neighbours.count[i]):
-        j = index_of(entry_of(neighbours, i, k))
-        if role[j] != Role.RESERVOIR and (walls.behind[i] ^ walls.behind[j]) & near != 0:
-            d = x_i - position[j]
-            r_squared = wp.dot(d, d)
-            k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
-            weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
-            total -= weight * (T_i - temperature[j])
-    factor = 2.0 * table.scale * thermal_volume[i]
-    mirrors = near & ~walls.behind[i]
-    count = how_many(mirrors)
-    chains = count * count * count
-    for number in range(chains):
-        chain = chain_of(walls, number, mirrors)
-        sweep = wp.where(chain[0] >= 0, neighbours.count[i] + 1, 0)
-        d_i, normals = wp.vec3(0.0, 0.0, 0.0), wp.mat33(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-        for m in range(3):
-            if chain[m] >= 0:
-                d_i[m] = height(walls, chain[m], x_i)
-                for axis in range(3):
-                    normals[m, axis] = float(walls.normal[chain[m]][axis])
-        taken = wp.vec3(0.0, 0.0, 0.0)
-        for k in range(sweep):
-            j = int(i)  # last of all its own image
-            if k < neighbours.count[i]:
-                j = index_of(entry_of(neighbours, i, k))
-            d = x_i - position[j]
-            d_j = wp.max(d_i - normals * d, wp.vec3(0.0, 0.0, 0.0))
-            r_squared = wp.dot(d, d) + 4.0 * wp.dot(wp.max(d_i, wp.vec3(0.0, 0.0, 0.0)), d_j)
-            if r_squared < table.support * table.support and (walls.behind[i] ^ walls.behind[j]) & near == 0:
-                k_pair = pair_conductivity(table, material[i], material[j], conductivity[i], conductivity[j], r_squared)
-                if k_pair > 0.0 and role[j] != Role.RESERVOIR:
-                    weight = k_pair * thermal_volume[j] * poly6_slope(r_squared, table.support)
-                    T = float(temperature[j])
-                    for m in range(3):
-                        if chain[m] >= 0:
-                            drop = drop_across(walls, chain[m], T, d_j[m], k_pair)
-                            taken[m] = taken[m] - weight * drop
-                            T -= drop
-                    total += weight * (T_i - T)  # Vijaykumar (3.2)
-        for m in range(3):
-            if chain[m] >= 0:
-                walls.rate[chain[m], id[i]] += factor * taken[m]
-    heat_rate[i] += factor * total
+        The sum of :data:`warpsph.kernels.heat.conduction.SUM_HEAT` goes over the images of the particles, their own
+        among them, in one plane, in two and in three at right angles (method of images). The distance to an image is
+        r'^2 = r^2 + 4 d_i d_j for each plane, d the distances from it; no image is nearer than the particle itself, so
+        the list of neighbours has all. What a particle would give to the other one's image is antisymmetric in the
+        pair; the walls take what the image is colder. An image in several planes is that of an image: softest planes
+        first, because a wall of given temperature turns the sign of a flux behind it.
+        """
+        i = wp.tid() + first
+        near = walls.near[i]
+        if near == 0 or role[i] == Role.RESERVOIR:
+            return
+        x_i = position[i]
+        T_i = temperature[i]
+        total = float(0.0)
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            if role[j] != Role.RESERVOIR and (walls.behind[i] ^ walls.behind[j]) & near != 0:
+                d = x_i - position[j]
+                r_squared = wp.dot(d, d)
+                k_i, k_j = float(conductivity[i]), float(conductivity[j])
+                if wp.static(sharp):
+                    k_i = towards(table, material[i], k_i, solid_fraction[i], T_i - temperature[j])
+                    k_j = towards(table, material[j], k_j, solid_fraction[j], temperature[j] - T_i)
+                k_pair = pair_conductivity(table, material[i], material[j], k_i, k_j, r_squared)
+                weight = k_pair * thermal_volume[j] * slope(r_squared, table.support)
+                total -= weight * (T_i - temperature[j])
+        factor = 2.0 * table.scale * thermal_volume[i]
+        mirrors = near & ~walls.behind[i]
+        count = how_many(mirrors)
+        chains = count * count * count
+        for number in range(chains):
+            chain = chain_of(walls, number, mirrors)
+            sweep = wp.where(chain[0] >= 0, neighbours.count[i] + 1, 0)
+            d_i, normals = wp.vec3(0.0, 0.0, 0.0), wp.mat33(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+            for m in range(3):
+                if chain[m] >= 0:
+                    d_i[m] = height(walls, chain[m], x_i)
+                    for axis in range(3):
+                        normals[m, axis] = float(walls.normal[chain[m]][axis])
+            taken = wp.vec3(0.0, 0.0, 0.0)
+            for k in range(sweep):
+                j = int(i)  # last of all its own image
+                if k < neighbours.count[i]:
+                    j = index_of(entry_of(neighbours, i, k))
+                d = x_i - position[j]
+                d_j = wp.max(d_i - normals * d, wp.vec3(0.0, 0.0, 0.0))
+                r_squared = wp.dot(d, d) + 4.0 * wp.dot(wp.max(d_i, wp.vec3(0.0, 0.0, 0.0)), d_j)
+                if r_squared < table.support * table.support and (walls.behind[i] ^ walls.behind[j]) & near == 0:
+                    k_pair = pair_conductivity(
+                        table, material[i], material[j], conductivity[i], conductivity[j], r_squared
+                    )
+                    if k_pair > 0.0 and role[j] != Role.RESERVOIR:
+                        if wp.static(sharp):  # each of the two sees the image of the other
+                            colder = T_i - behind_walls(walls, chain, temperature[j], d_j, k_pair)
+                            k_i = towards(table, material[i], conductivity[i], solid_fraction[i], colder)
+                            colder = temperature[j] - behind_walls(walls, chain, T_i, d_i, k_pair)
+                            k_j = towards(table, material[j], conductivity[j], solid_fraction[j], colder)
+                            k_pair = pair_conductivity(table, material[i], material[j], k_i, k_j, r_squared)
+                        weight = k_pair * thermal_volume[j] * slope(r_squared, table.support)
+                        T = float(temperature[j])
+                        for m in range(3):
+                            if chain[m] >= 0:
+                                drop = drop_across(walls, chain[m], T, d_j[m], k_pair)
+                                taken[m] = taken[m] - weight * drop
+                                T -= drop
+                        total += weight * (T_i - T)  # Vijaykumar (3.2)
+            for m in range(3):
+                if chain[m] >= 0:
+                    walls.rate[chain[m], id[i]] += factor * taken[m]
+        heat_rate[i] += factor * total
+
+    return add_heat_of_images
+
+
+ADD_HEAT_OF_IMAGES = {sharp: for_conducting(_add_heat_of_images, "slope", __name__, sharp) for sharp in (False, True)}
 
 
 @wp.kernel

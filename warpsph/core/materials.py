@@ -15,15 +15,17 @@ class Material:
     Args:
         name: for messages and pictures.
         density: reference density [kg/m^3].
-        temperatures: nodes of the enthalpy curve [K], rising strictly.
+        temperatures: nodes of the enthalpy curve [K], rising; a pure substance has its melting point twice.
         enthalpies: specific enthalpy at the nodes [J/kg], rising strictly; linear between and beyond the nodes.
         conductivity_solid, conductivity_liquid: thermal conductivity [W/(m K)], linear in the solid fraction between.
         viscosity: dynamic viscosity of the fluid [Pa s].
-        solidus, liquidus: melting range [K].
+        solidus, liquidus: melting range [K]; one temperature for a pure substance, whose latent heat is that between
+            the two nodes of its melting point.
         source: where the numbers come from.
 
     Raises:
-        InputError: a density is not positive, a conductivity or a viscosity is negative, or a curve does not rise.
+        InputError: a density is not positive, a conductivity or a viscosity is negative, a curve does not rise, or it
+            is flat elsewhere than at the melting point of a pure substance.
     """
 
     name: str
@@ -49,21 +51,42 @@ class Material:
             several = isinstance(nodes, Sequence | np.ndarray)
             finite = several and bool(np.all(np.isfinite([number(node) for node in nodes])))
             self._refuse_unless(finite, label, "finite numbers")
-            if len(nodes) < 2 or np.any(np.diff(nodes) <= 0.0):
+            rises = np.diff(nodes) > 0.0
+            if label == "temperatures" and self.is_pure:
+                rises |= np.asarray(nodes[:-1]) == self.solidus
+            if len(nodes) < 2 or not np.all(rises):
                 raise InputError(f"material {self.name}: {label} need two or more nodes that rise strictly")
         if len(self.temperatures) != len(self.enthalpies):
             raise InputError(f"material {self.name}: as many temperatures as enthalpies are needed")
-        if not self.solidus < self.liquidus:
+        if not self.solidus <= self.liquidus:
             raise InputError(
-                f"material {self.name}: solidus {self.solidus} K must lie below liquidus {self.liquidus} K"
+                f"material {self.name}: solidus {self.solidus} K must not lie above liquidus {self.liquidus} K"
+            )
+        if self.is_pure and np.sum(np.asarray(self.temperatures) == self.solidus) != 2:
+            raise InputError(
+                f"material {self.name}: melts at one temperature, {self.solidus} K; its curve must have that "
+                "temperature at two nodes, the latent heat between them"
             )
 
     def _refuse_unless(self, holds: bool, argument: str, allowed: str) -> None:
         if not holds:
             raise InputError(f"material {self.name}: {argument} = {shown(getattr(self, argument))}: must be {allowed}")
 
+    @property
+    def is_pure(self) -> bool:
+        """Whether it melts at one temperature."""
+        return self.solidus == self.liquidus
+
+    @property
+    def melting_enthalpies(self) -> tuple[float, float]:
+        """Specific enthalpy [J/kg] of the solid at the solidus and of the liquid at the liquidus."""
+        if self.is_pure:
+            first = list(self.temperatures).index(self.solidus)
+            return self.enthalpies[first], self.enthalpies[first + 1]
+        return float(self.enthalpy(self.solidus)), float(self.enthalpy(self.liquidus))
+
     def enthalpy(self, temperature: float | np.ndarray) -> np.ndarray:
-        """Specific enthalpy [J/kg] at a temperature [K]."""
+        """Specific enthalpy [J/kg] at a temperature [K]; that of the liquid where a pure substance melts."""
         return _piecewise_linear(temperature, self.temperatures, self.enthalpies)
 
     def temperature(self, enthalpy: float | np.ndarray) -> np.ndarray:
@@ -71,7 +94,9 @@ class Material:
         return _piecewise_linear(enthalpy, self.enthalpies, self.temperatures)
 
     def solid_fraction(self, temperature: float | np.ndarray) -> np.ndarray:
-        """Solid fraction at a temperature [K]."""
+        """Solid fraction at a temperature [K]; 0 at the melting point of a pure substance."""
+        if self.is_pure:
+            return np.where(np.asarray(temperature) < self.solidus, 1.0, 0.0)
         return np.clip((self.liquidus - np.asarray(temperature)) / (self.liquidus - self.solidus), 0.0, 1.0)
 
 
@@ -83,7 +108,8 @@ NO_HEAT = 1000.0  # heat capacity [J/(kg K)] of what conducts no heat and theref
 def _piecewise_linear(x, nodes, values):
     nodes, values = np.asarray(nodes, float), np.asarray(values, float)
     segment = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
-    slope = np.diff(values) / np.diff(nodes)
+    rise = np.diff(nodes)
+    slope = np.diff(values) / np.where(rise > 0.0, rise, np.inf)  # no x lies within a part without rise
     return values[segment] + slope[segment] * (np.asarray(x, float) - nodes[segment])
 
 
@@ -99,12 +125,18 @@ def melting_material(
     conductivity_liquid: float,
     viscosity: float,
     source: str,
+    heat_capacity_liquid: float | None = None,
 ) -> Material:
     """A material of constant heat capacity [J/(kg K)] whose latent heat [J/kg] is spread evenly over its melting range.
 
-    The enthalpy counts from 0 K: ``heat_capacity * T`` below the solidus.
+    A pure substance, whose solidus is its liquidus, takes it up at that temperature. The enthalpy counts from 0 K:
+    ``heat_capacity * T`` below the solidus. The heat capacity of the liquid is by default that of the solid; within a
+    melting range it is the mean of both.
     """
-    for label, value in (("heat_capacity", heat_capacity), ("latent_heat", latent_heat)):
+    liquid = heat_capacity if heat_capacity_liquid is None else heat_capacity_liquid
+    for label, value in (
+        ("heat_capacity", heat_capacity), ("heat_capacity_liquid", liquid), ("latent_heat", latent_heat)
+    ):  # fmt: skip
         if not 0.0 <= number(value) < np.inf:
             raise InputError(f"material {name}: {label} = {shown(value)}: must be zero or positive")
     for label, value in (("solidus", solidus), ("liquidus", liquidus)):
@@ -112,12 +144,12 @@ def melting_material(
             raise InputError(f"material {name}: {label} = {shown(value)}: must be positive [K]")
     top = liquidus + 1000.0
     at_solidus = heat_capacity * solidus
-    at_liquidus = at_solidus + heat_capacity * (liquidus - solidus) + latent_heat
+    at_liquidus = at_solidus + 0.5 * (heat_capacity + liquid) * (liquidus - solidus) + latent_heat
     return Material(
         name=name,
         density=density,
         temperatures=(0.0, solidus, liquidus, top),
-        enthalpies=(0.0, at_solidus, at_liquidus, at_liquidus + heat_capacity * (top - liquidus)),
+        enthalpies=(0.0, at_solidus, at_liquidus, at_liquidus + liquid * (top - liquidus)),
         conductivity_solid=conductivity_solid,
         conductivity_liquid=conductivity_liquid,
         viscosity=viscosity,

@@ -92,7 +92,8 @@ class StrandLook:
         self.parts = parts
         shell, melt = (np.concatenate([_temperature(fields, solid) for _, fields in frames]) for solid in (True, False))
         freezing = np.quantile(shell, 0.995)
-        low, high = min(shell.min(), freezing - 1.0), max(melt.max(), freezing + 1.0)
+        least = min(1.0, 0.1 * (melt.max() - shell.min())) or 1.0  # of each half, where the other takes all
+        low, high = min(shell.min(), freezing - least), max(melt.max(), freezing + least)
         self.mappable = ScalarMappable(TwoSlopeNorm(freezing, low, high), shell_and_melt())
         ticks = ticks_around(low, freezing, high)
         self.title = title_of(temperature)

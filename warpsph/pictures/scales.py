@@ -23,7 +23,7 @@ def colour_range(values: np.ndarray, whole: bool) -> tuple[float, float, str]:
 def ticks_around(low: float, middle: float, high: float) -> list[float]:
     """Round values on both sides of ``middle`` and ``middle`` itself."""
     locator = MaxNLocator(4, steps=[1, 2, 2.5, 5, 10])
-    ticks: list[float] = [round(middle)]
+    ticks: list[float] = [round(middle, 0 if high - low >= 10.0 else 2)]
     for start, end in ((low, middle), (middle, high)):
         margin = 0.12 * (end - start)
         ticks += [

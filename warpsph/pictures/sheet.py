@@ -121,7 +121,7 @@ class Sheet:
             bar.outline.set_visible(False)
             bar.ax.tick_params(colors=PALE_INK, labelcolor=INK, labelsize=8, length=3, width=0.6)
             if look.bar.ticks:
-                bar.ax.yaxis.set_major_formatter("{x:.0f}")
+                bar.ax.yaxis.set_major_formatter("{x:g}")
             else:
                 bar.ax.ticklabel_format(axis="y", scilimits=(-3, 5), useMathText=True)
                 bar.ax.yaxis.get_offset_text().set(fontsize=8, color=INK, ha="left", x=POWER / BAR_WIDTH)

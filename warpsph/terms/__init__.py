@@ -6,10 +6,12 @@ from warpsph.terms.contact import Contact
 from warpsph.terms.continuity_density import ContinuityDensity
 from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.fluid import Fluid
+from warpsph.terms.heat_sources import HeatSources, PointSource
 from warpsph.terms.heat_wall import HeatWall, cut_cells
 from warpsph.terms.phase_change import PhaseChange
 from warpsph.terms.summed_density import SummedDensity
 from warpsph.terms.surface_tension import SurfaceTension
+from warpsph.terms.whole_phases import WholePhases
 
 __all__ = [
     "ColourFieldTension",
@@ -18,9 +20,12 @@ __all__ = [
     "ContinuityDensity",
     "Elasticity",
     "Fluid",
+    "HeatSources",
     "HeatWall",
     "PhaseChange",
+    "PointSource",
     "SummedDensity",
     "SurfaceTension",
+    "WholePhases",
     "cut_cells",
 ]

@@ -8,6 +8,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Field
+from warpsph.core.lattice import Lattice
 from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
 from warpsph.core.model import Model
@@ -16,12 +17,17 @@ from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
-from warpsph.kernels.heat.conduction import ThermalTable, add_heat, sum_heat, update_temperature
-from warpsph.kernels.heat.walls import HeatWalls, add_heat_of_images, count_heat, find_walls_near
+from warpsph.kernels.heat.conduction import CONDUCTING, SUM_HEAT, ThermalTable, add_heat, update_temperature
+from warpsph.kernels.heat.walls import ADD_HEAT_OF_IMAGES, HeatWalls, count_heat, find_walls_near
 from warpsph.terms.heat_wall import LARGEST, SLACK, HeatWall, refuse_misfits
 
-SMOOTHING_KERNEL = "poly6"
 MOST_WALLS = 30  # a bit each
+
+# Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what lattices bear, H = 2 to 3 dx.
+STABLE = {
+    "poly6": (0.1, "(7.7)", 0.1),  # Vijaykumar (7.7) with zeta = 0.1 and the support H
+    "cubic_spline": (0.15 / 4.0, "(2.20)", 0.081),  # Monaghan (2.20), with H = 2h
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +38,12 @@ class Conduction(Term):
         films: conductance [W/(m^2 K)] of a film between two materials, by their names; 0 lets no heat pass.
         longest_interval: largest time between two conduction steps [s], beside the stability limit.
         walls: planes on which temperature, film, flux or insulation is given.
+        smoothing: name of the smoothing kernel, one of :data:`warpsph.kernels.heat.conduction.CONDUCTING`.
+        support_ratio: its support over the spacing, by default that of the model; a cubic spline of smoothing length h
+            has the support 2h.
+        exact_on_lattice: whether the sum is divided by what the lattice makes of a linear profile.
+        sharp_fronts: whether a particle of a pure substance that freezes has a front in it, solid on its colder side
+            and liquid on the other, instead of one conductivity in between. For what is at rest on a lattice.
 
     One with walls belongs to one simulation; ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are then
     device arrays that may be changed during a run.
@@ -40,6 +52,10 @@ class Conduction(Term):
     films: dict[tuple[str, str], float] = field(default_factory=dict)
     longest_interval: float = 1.0e-3
     walls: Sequence[HeatWall] = ()
+    smoothing: str = "poly6"
+    support_ratio: float | None = None
+    exact_on_lattice: bool = True
+    sharp_fronts: bool = False
 
     def __post_init__(self) -> None:
         require(self, "longest_interval", number(self.longest_interval) > 0.0, "positive [s]")
@@ -51,6 +67,9 @@ class Conduction(Term):
         several = isinstance(self.walls, Sequence) and all(isinstance(wall, HeatWall) for wall in self.walls)
         require(self, "walls", several, "a tuple of HeatWall")
         require(self, "walls", len(self.walls) <= MOST_WALLS, f"{MOST_WALLS} at most")
+        require(self, "smoothing", self.smoothing in CONDUCTING, f"one of {', '.join(CONDUCTING)}")
+        ratio = self.support_ratio
+        require(self, "support_ratio", ratio is None or 1.2 <= number(ratio) <= 10.0, "from 1.2 to 10 spacings")
 
     provides = ("conduction",)
 
@@ -69,7 +88,7 @@ class Conduction(Term):
             mine = fields["material"] == index
             enthalpy[mine] = substance.enthalpy(fields["temperature"][mine])
         volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
-        refuse_misfits(self.walls, model, particles.position)
+        refuse_misfits(self.walls, self.lattice(model), particles.position)
         return {"enthalpy": enthalpy, "thermal_volume": volume}
 
     def allocate(self, model: Model, state: State) -> None:
@@ -92,33 +111,37 @@ class Conduction(Term):
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
 
+    def lattice(self, model: Model) -> Lattice:
+        """The lattice of particles, with the support of conduction."""
+        return Lattice(model.dimension, model.spacing, self.support_ratio or model.support_ratio)
+
     def reach(self, model: Model) -> float:
-        return model.support
+        return self.lattice(model).support
 
     def longest_intervals(self, model: Model) -> dict[str, float]:
-        """By pair of materials, and the longest interval asked for.
-
-        Vijaykumar (2012), equation (7.7) with zeta = 0.1 and the support H, for the conductivity that the pair has.
-        """
+        """By pair of materials, for the conductivity that the pair has, and the longest interval asked for."""
         limits = {"longest interval": self.longest_interval}
-        films = self._films(model)
+        films, support = self._films(model), self.lattice(model).support
+        share, equation, borne = STABLE[self.smoothing]
+        if self.sharp_fronts:
+            share = min(share, 0.5 * borne)  # a thin layer lets up to twice as much pass
         for a, material in enumerate(model.materials):
-            capacity = float(np.min(np.diff(material.enthalpies) / np.diff(material.temperatures)))
+            capacity = _lowest_heat_capacity(material)
             for b, other in enumerate(model.materials):
                 conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
                 if np.isfinite(films[a, b]):
-                    conductivity = 0.5 * _harmonic(conductivity, films[a, b] * model.support)
+                    conductivity = 0.5 * _harmonic(conductivity, films[a, b] * support)
                 if conductivity > 0.0:
-                    limits[f"conduction {material.name}-{other.name} (7.7)"] = (
-                        0.1 * material.density * capacity * model.support**2 / conductivity
+                    limits[f"conduction {material.name}-{other.name} {equation}"] = (
+                        share * material.density * capacity * support**2 / conductivity
                     )
         return limits
 
     def sum_heat(self, launch: Launch) -> None:
-        launch(sum_heat)
+        launch(SUM_HEAT[self.sharp_fronts][self.smoothing])
         if self.walls:
             launch(find_walls_near)
-            launch(add_heat_of_images)
+            launch(ADD_HEAT_OF_IMAGES[self.sharp_fronts][self.smoothing])
 
     def add_heat(self, launch: Launch) -> None:
         launch(add_heat)
@@ -176,8 +199,8 @@ class Conduction(Term):
         Two lattices of one temperature each, with a film that hinders more than they do, then exchange the exact heat
         through a flat interface: pairs at an angle to it are longer than their way across.
         """
-        lattice, films = model.lattice, np.full((len(model.materials),) * 2, np.inf)
-        straight = 0.5 * lattice.slope(SMOOTHING_KERNEL) / lattice.detour(SMOOTHING_KERNEL)
+        lattice, films = self.lattice(model), np.full((len(model.materials),) * 2, np.inf)
+        straight = 0.5 * lattice.slope(self.smoothing) / lattice.detour(self.smoothing)
         for pair, conductance in self.films.items():
             a, b = (model.index_of(name) for name in pair)
             if films[a, b] not in (np.inf, conductance * straight):
@@ -204,17 +227,27 @@ class Conduction(Term):
         for index, material in enumerate(model.materials):
             highest = material.temperatures[-1] + np.arange(1, nodes - len(material.temperatures) + 1)
             temperature[index] = np.concatenate([material.temperatures, highest])
-            enthalpy[index] = material.enthalpy(temperature[index])
+            enthalpy[index] = np.concatenate([material.enthalpies, material.enthalpy(highest)])
         table: Any = ThermalTable()
         table.temperature = wp.array(temperature, dtype=float, device=device)
         table.enthalpy = wp.array(enthalpy, dtype=float, device=device)
         table.film = wp.array(self._films(model), dtype=float, device=device)
-        table.support = model.support
-        table.scale = normalisation(SMOOTHING_KERNEL, model.dimension, model.support)
-        table.scale /= model.lattice.slope(SMOOTHING_KERNEL)
+        lattice = self.lattice(model)
+        table.support = lattice.support
+        table.scale = normalisation(self.smoothing, model.dimension, lattice.support)
+        table.scale /= lattice.slope(self.smoothing) if self.exact_on_lattice else 1.0
+        melting = np.array([material.melting_enthalpies for material in model.materials])
+        table.enthalpy_solid = wp.array(melting[:, 0], dtype=float, device=device)
+        table.enthalpy_liquid = wp.array(melting[:, 1], dtype=float, device=device)
         for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
             setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
         return table
+
+
+def _lowest_heat_capacity(material: Material) -> float:
+    """The lowest slope [J/(kg K)] of the enthalpy curve."""
+    rise = np.diff(material.temperatures)
+    return float(np.min(np.diff(material.enthalpies)[rise > 0.0] / rise[rise > 0.0]))
 
 
 def _highest_conductivity(material: Material) -> float:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsph.core.model import Model
+from warpsph.core.lattice import Lattice
 from warpsph.errors import InputError, number, require
 
 PERPENDICULAR = 1.0e-3  # largest cosine between planes whose images are those of a corner
@@ -90,7 +90,7 @@ def cut_cells(points: np.ndarray, walls: Sequence[HeatWall], spacing: float, dim
     return volume
 
 
-def refuse_misfits(walls: Sequence[HeatWall], model: Model, points: np.ndarray) -> None:
+def refuse_misfits(walls: Sequence[HeatWall], lattice: Lattice, points: np.ndarray) -> None:
     """Refuse walls whose images would be wrong for the particles at ``points`` (n, 3) [m].
 
     Raises:
@@ -98,13 +98,13 @@ def refuse_misfits(walls: Sequence[HeatWall], model: Model, points: np.ndarray) 
             perpendicular and near the same particle; or one leans out of the plane.
     """
     for b, wall in enumerate(walls):
-        if model.dimension == 2 and wall.normal[2] != 0.0:
+        if lattice.dimension == 2 and wall.normal[2] != 0.0:
             raise InputError(f"heat walls: the normal {tuple(wall.normal)} leans out of the plane, in two dimensions")
         for a, other in enumerate(walls[:b]):
             cosine = float(np.dot(wall.normal, other.normal))
             if abs(cosine) > 1.0 - PERPENDICULAR:
-                _refuse_narrow(wall, other, cosine, model.support)
-            elif abs(cosine) > PERPENDICULAR and np.any(_near(wall, points, model) & _near(other, points, model)):
+                _refuse_narrow(wall, other, cosine, lattice.support)
+            elif abs(cosine) > PERPENDICULAR and np.any(_near(wall, points, lattice) & _near(other, points, lattice)):
                 raise InputError(
                     f"heat walls {a} and {b} meet in the body, neither parallel nor at right angles: no images fit"
                 )
@@ -119,7 +119,7 @@ def _refuse_narrow(wall: HeatWall, other: HeatWall, cosine: float, support: floa
         )
 
 
-def _near(wall: HeatWall, points: np.ndarray, model: Model) -> np.ndarray:
+def _near(wall: HeatWall, points: np.ndarray, lattice: Lattice) -> np.ndarray:
     """Which points (n,) see images behind a wall."""
     height = wall.height(points)
-    return (height > -SLACK * model.spacing) & (height < model.support)
+    return (height > -SLACK * lattice.spacing) & (height < lattice.support)

@@ -46,6 +46,10 @@ def test_water_boils_away():
         {"enthalpies": (0.0, 1.0, 1.0)},
         {"enthalpies": (0.0, 1.0)},
         {"solidus": 1000.0, "liquidus": 1000.0},
+        {"solidus": 401.0, "liquidus": 400.0},
+        {"temperatures": (0.0, 400.0, 400.0)},
+        {"temperatures": (400.0, 400.0, 400.0), "solidus": 400.0, "liquidus": 400.0},
+        {"temperatures": (0.0, 400.0, 500.0), "solidus": 400.0, "liquidus": 400.0},
     ],
 )
 def test_a_curve_that_cannot_be_inverted_is_refused(change):
@@ -110,3 +114,17 @@ def test_a_melting_material_names_the_argument_that_is_wrong(argument, value):
     }  # fmt: skip
     with pytest.raises(InputError, match=f"steel: {argument} = "):
         melting_material("steel", **(steel | {argument: value}))
+
+
+def test_a_pure_substance_takes_its_latent_heat_at_one_temperature():
+    """Ice that had to warm while it melts would be no ice."""
+    ice = melting_material(
+        "water", density=1000.0, heat_capacity=2090.0, heat_capacity_liquid=4190.0, latent_heat=3.335e5, solidus=273.15,
+        liquidus=273.15, conductivity_solid=2.2, conductivity_liquid=0.591, viscosity=0.0, source="round numbers",
+    )  # fmt: skip
+    frozen, molten = ice.melting_enthalpies
+    assert molten - frozen == pytest.approx(3.335e5)
+    assert ice.temperature(np.linspace(frozen, molten, 7)) == pytest.approx(np.full(7, 273.15))
+    assert ice.temperature([frozen - 2090.0, molten + 4190.0]) == pytest.approx([272.15, 274.15])
+    assert ice.enthalpy([272.15, 273.15, 274.15]) == pytest.approx([frozen - 2090.0, molten, molten + 4190.0])
+    assert list(ice.solid_fraction([273.0, 273.15, 273.3])) == [1.0, 0.0, 0.0]

@@ -32,3 +32,10 @@ def test_ticks_stand_on_both_sides_and_apart(ends):
     assert ticks[-1] <= high + 0.5
     below = [tick for tick in ticks if tick < middle - 0.5]
     assert all(middle - tick > 0.1 * (middle - low) for tick in below)
+
+
+def test_ticks_of_a_narrow_range_are_told_apart():
+    """Temperatures of about 1 K, as in problems without dimensions, would all be labelled 0 or 1."""
+    ticks = ticks_around(0.19, 0.91, 1.2)
+    assert 0.91 in ticks
+    assert len({f"{tick:g}" for tick in ticks}) == len(ticks) > 3

@@ -1,0 +1,1 @@
+"""Pure substances that freeze, at rest."""

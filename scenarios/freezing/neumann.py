@@ -1,0 +1,65 @@
+"""The exact solution of Neumann: melt that fills half of space freezes from a plane of given temperature."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import erf, erfc
+
+
+@dataclass(frozen=True)
+class Neumann:
+    """A front at ``2 similarity sqrt(a_solid t)`` from the plane, a = conductivity / (density heat_capacity).
+
+    Carslaw & Jaeger (1959), chapter XI; with the same properties in both phases equations (3.2) to (3.6) of Monaghan,
+    Huppert & Worster (2005). Temperatures in K, otherwise SI units.
+
+    Args:
+        similarity: lambda, which with the other numbers gives the temperature of the plane.
+        melting, start: melting point and temperature of the melt at the start.
+    """
+
+    similarity: float
+    melting: float
+    start: float
+    density: float
+    latent_heat: float
+    heat_capacity_solid: float
+    heat_capacity_liquid: float
+    conductivity_solid: float
+    conductivity_liquid: float
+
+    @property
+    def diffusivity_solid(self) -> float:
+        """[m^2/s]."""
+        return self.conductivity_solid / (self.density * self.heat_capacity_solid)
+
+    @property
+    def diffusivity_liquid(self) -> float:
+        """[m^2/s]."""
+        return self.conductivity_liquid / (self.density * self.heat_capacity_liquid)
+
+    @property
+    def plane(self) -> float:
+        """Temperature [K] of the plane: the balance of heat at the front, solved for it."""
+        s, ratio = self.similarity, np.sqrt(self.diffusivity_solid / self.diffusivity_liquid)
+        latent = s * self.latent_heat * np.sqrt(np.pi) / self.heat_capacity_solid
+        in_melt = self.conductivity_liquid / self.conductivity_solid * ratio * (self.start - self.melting)
+        in_melt *= np.exp(-((s * ratio) ** 2)) / erfc(s * ratio)
+        return float(self.melting - erf(s) * np.exp(s**2) * (latent + in_melt))  # Monaghan (3.6), phases set apart
+
+    def front(self, time: float | np.ndarray) -> np.ndarray:
+        """Distance [m] of the front from the plane."""
+        return 2.0 * self.similarity * np.sqrt(self.diffusivity_solid * np.asarray(time, float))  # Monaghan (3.5)
+
+    def temperature(self, y: np.ndarray, time: float) -> np.ndarray:
+        """T (n,) [K] at the distances ``y`` (n,) [m] from the plane, at a ``time`` [s] after the start."""
+        s, ratio = self.similarity, np.sqrt(self.diffusivity_solid / self.diffusivity_liquid)
+        eta = y / np.sqrt(4.0 * self.diffusivity_solid * time)  # Monaghan (3.4)
+        solid = self.plane + (self.melting - self.plane) / erf(s) * erf(eta)  # Monaghan (3.2)
+        liquid = self.start + (self.melting - self.start) / erfc(s * ratio) * erfc(eta * ratio)  # Monaghan (3.3)
+        return np.where(eta < s, solid, liquid)
+
+    def heat(self, time: float) -> float:
+        """Heat [J/m^2] that the plane has taken: 2 k (dT/dy) sqrt(t / (pi a))."""
+        slope = (self.melting - self.plane) / erf(self.similarity) / np.sqrt(np.pi * self.diffusivity_solid)
+        return float(2.0 * self.conductivity_solid * slope * np.sqrt(time))

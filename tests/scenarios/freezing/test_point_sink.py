@@ -1,0 +1,46 @@
+"""Freezing around a point sink: radius, heat, temperatures, and the published errors."""
+
+import pytest
+
+from warpsph.cases.case import preset_layer, resolve
+from warpsph.errors import InputError
+from warpsph.scenarios.freezing.point_sink import TABLE, PointSink
+
+
+@pytest.mark.parametrize("presets", [(), ("strong",), ("paper",)], ids=["default", "strong", "paper"])
+def test_the_ice_is_where_it_must_be(device, presets):
+    """A sink that takes too much, or ice that holds too little, would move the front."""
+    case = resolve(PointSink, [preset_layer(PointSink, preset) for preset in presets])
+    result = case.run(device=device)
+    assert [check for check in case.checks(result) if not check.passed] == []
+    if presets == ("paper",):
+        assert result.steps == 3000
+
+
+def test_half_of_the_published_errors(device):
+    """Otherwise the default would be worth no more than what was published."""
+    case = PointSink()
+    assert case.radius_errors(case.run(device=device))["radius"] < 0.5 * min(TABLE[40])
+
+
+def test_the_published_errors(device):
+    """Otherwise the preset would run another method than the paper's; the finer rows of its table are slow."""
+    for n in (20, 30):
+        case = resolve(PointSink, [preset_layer(PointSink, "paper")]).model_copy(update={"particles": n})
+        found = case.radius_errors(case.run(device=device))
+        assert found["radius_of_ice"] < 1.15 * TABLE[n][0]
+        assert found["radius_of_loss"] < 1.15 * TABLE[n][1]
+
+
+@pytest.mark.slow
+def test_every_check_passes():
+    """Otherwise `warpsph verify` would fail."""
+    failed = [check for check in PointSink.verify(lambda case: case.run(device="cpu"), True) if not check.passed]
+    assert failed == []
+
+
+def test_water_that_starts_frozen_is_refused():
+    """There would be no front."""
+    with pytest.raises(InputError, match=r"start = 270.0 K: must lie above melting, 273.15 K") as caught:
+        PointSink(start=270.0)
+    assert "\n" not in str(caught.value)
