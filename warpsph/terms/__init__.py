@@ -1,5 +1,6 @@
 """The physics: one file a term."""
 
+from warpsph.terms.alloy import Alloy
 from warpsph.terms.colour_field_tension import ColourFieldTension
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.contact import Contact
@@ -7,11 +8,14 @@ from warpsph.terms.continuity_density import ContinuityDensity
 from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.fluid import Fluid
 from warpsph.terms.heat_wall import HeatWall, cut_cells
+from warpsph.terms.liquidus import Liquidus
 from warpsph.terms.phase_change import PhaseChange
+from warpsph.terms.solute import Solute
 from warpsph.terms.summed_density import SummedDensity
 from warpsph.terms.surface_tension import SurfaceTension
 
 __all__ = [
+    "Alloy",
     "ColourFieldTension",
     "Conduction",
     "Contact",
@@ -19,7 +23,9 @@ __all__ = [
     "Elasticity",
     "Fluid",
     "HeatWall",
+    "Liquidus",
     "PhaseChange",
+    "Solute",
     "SummedDensity",
     "SurfaceTension",
     "cut_cells",
