@@ -10,6 +10,7 @@ from warpsph.scenarios.elastic.rubber_rings import RubberRings
 from warpsph.scenarios.flow.dam_break import DamBreak
 from warpsph.scenarios.flow.drop import Drop
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
+from warpsph.scenarios.freezing.sodium_nitrate import SodiumNitrate
 
 __all__ = [
     "Breakout",
@@ -22,4 +23,5 @@ __all__ = [
     "Hydrostatic",
     "RotatedDisc",
     "RubberRings",
+    "SodiumNitrate",
 ]

@@ -1,0 +1,1 @@
+"""What freezes at rest."""
