@@ -72,7 +72,7 @@ class Alloy(Term):
                     f"{self.liquidus.lowest:g} K: the solid that forms at the eutectic is left out; make it warmer"
                 )
 
-    provides = ("conduction", "freezing of an alloy")
+    provides = ("temperature", "freezing of an alloy")
     needs = ("solute",)
 
     temperature = Conduction.temperature

@@ -52,7 +52,7 @@ class Conduction(Term):
         require(self, "walls", several, "a tuple of HeatWall")
         require(self, "walls", len(self.walls) <= MOST_WALLS, f"{MOST_WALLS} at most")
 
-    provides = ("conduction",)
+    provides = ("conduction", "temperature")
 
     temperature = Field(float, "K", "temperature", start=293.15, written=True, colours="inferno")
     enthalpy = Field(float, "J/kg", "specific enthalpy", compensated=True, written=True, colours="inferno")

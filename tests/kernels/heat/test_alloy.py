@@ -11,11 +11,11 @@ from warpsph.core.labels import Role
 from warpsph.core.materials import fluid_material, solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
-from warpsph.errors import InputError
+from warpsph.errors import DivergenceError, InputError
 from warpsph.kernels.basics.host import on_host
 from warpsph.kernels.heat.freezing import cooling
 from warpsph.run.simulation import Simulation
-from warpsph.terms import Alloy, HeatWall, Liquidus, Solute
+from warpsph.terms import Alloy, Conduction, HeatWall, Liquidus, PhaseChange, Solute
 
 L, C_ICE, C_LIQUID, GAMMA, C_0 = 334.4e3, 2006.0, 4180.0, 42.28, 0.14
 RHO, RHO_ICE, K, K_ICE = 1097.0, 917.0, 0.498, 2.408
@@ -158,6 +158,33 @@ def test_walls_take_what_the_body_loses(device, dimension, literal):
     assert np.ptp(result.fields["temperature"].reshape(8, -1), axis=1).max() < 1e-3  # walls at the sides are mirrors
 
 
+@pytest.mark.parametrize("literal", [False, True])
+@pytest.mark.parametrize("support", [2.0, 2.6, 3.0])
+def test_the_longest_step_is_stable(device, literal, support):
+    """If it failed, some mixture, such as ice nearly without mass, would swing beyond its surroundings."""
+    generator = np.random.default_rng(3)
+    volume, share = SPACING**2, np.array([0.0, 1e-6, 1e-3, 0.1, 0.4, 0.76])
+    for theta in share:
+        start = generator.uniform(280.0, 290.0, (2, 64))
+        sim = simulation(
+            device,
+            cells=(8, 8),
+            support=support,
+            literal=literal,
+            walls=box(2, (8, 8), cold=285.0),
+            temperature=start[0],
+            ice_temperature=start[1],
+            ice_mass=theta * RHO_ICE * volume,
+            liquid_mass=(1.0 - theta) * RHO * volume,
+        )
+        longest = sim.plan.longest
+        for _ in range(3):
+            fields = sim.run(10.0 * longest, 10.0 * longest).fields
+            for name in ("temperature", "ice_temperature"):
+                assert fields[name].min() >= 280.0 - 1e-3
+                assert fields[name].max() <= 290.0 + 1e-3
+
+
 def test_equal_phases_freeze_as_one_substance(device):
     """If it failed, ice in liquid of the same conductivity would change how fast heat passes."""
     same = solid_material("ice", RHO, conductivity=K, heat_capacity=C_LIQUID)
@@ -207,10 +234,21 @@ def test_wrong_liquidus_and_model():
         Simulation(Executor("cpu"), model, particles)
 
 
+def test_one_or_the_other_conducts():
+    """If it failed, heat would be conducted twice, or a part would look for an enthalpy that an alloy does not have."""
+    particles = Particles()
+    particles.add(np.zeros((1, 3)), Role.FREE, "solution")
+    for further, message in (
+        (Conduction(), "Alloy and Conduction exclude each other: both provide temperature"),
+        (PhaseChange(), "PhaseChange needs conduction in the same case: add Conduction"),
+    ):
+        terms = (Solute(), Alloy(ICE, L, STRAIGHT), further)
+        with pytest.raises(InputError, match=message):
+            Simulation(Executor("cpu"), Model(2, SPACING, (SOLUTION,), terms), particles)
+
+
 def test_a_broken_run_is_noticed(device):
     """If it failed, a run that has blown up would go on writing frames of nothing."""
-    from warpsph.errors import DivergenceError
-
     sim = simulation(device, temperature=275.0)
     values = sim.state.numpy("liquid_heat")
     values[3] = np.nan

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from warpsph.core.executor import Executor
 from warpsph.errors import InputError
 from warpsph.scenarios import SodiumNitrate
 from warpsph.scenarios.freezing.sodium_nitrate import EARLY, LATE
@@ -39,6 +40,17 @@ def test_the_width_does_not_matter(narrow):
     wide = case.model_copy(update={"columns": 12}).run(device="cpu")
     for name in ("temperature", "ice", "brine"):
         np.testing.assert_allclose(wide.diagnostics[name], result.diagnostics[name], rtol=1e-5, atol=1e-5)
+
+
+def test_threads_and_stops_change_nothing():
+    """If it failed, a run could not be repeated, or one that goes on would go elsewhere."""
+    case = SodiumNitrate(columns=8, rows=20, duration=6000.0, output_interval=2000.0)
+    whole = case.run(device="cpu", threads=1)
+    parts = case.build(Executor("cpu", 2))
+    parts.run(2000.0, 2000.0)
+    stopped = parts.run(4000.0, 2000.0)
+    for name in ("temperature", "ice_temperature", "solute", "liquid_heat", "ice_mass", "heat_freed"):
+        np.testing.assert_array_equal(stopped.fields[name], whole.fields[name])
 
 
 def test_conduction_as_printed_thickens_the_mush(narrow):
