@@ -16,7 +16,7 @@ from scipy.special import erfc, erfcx
 
 NEAREST = 0.02  # of the front: below, diffusion from the wall, which the last slope goes on through, is left out
 MOST_CALLS = 5000  # of an integration that gets through
-TRIED = np.geomspace(1e-3, 3.0, 60)  # fronts, over the width of the layer of heat in the liquid
+TRIED = np.geomspace(1e-4, 10.0, 80)  # fronts, over the width of the layer of heat in the liquid
 
 
 @dataclass(frozen=True)

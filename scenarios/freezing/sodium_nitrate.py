@@ -144,7 +144,8 @@ class SodiumNitrate(Scenario):
         heat = float(np.sum(state["liquid_heat"] + state["ice_heat"] - state["heat_freed"]))
         taken = float(np.sum(alloy.heat_to_walls()))
         mass = float(np.sum(state["liquid_mass"] + state["ice_mass"]))
-        thickness = self.front(height, profiles["temperature"])
+        ice = float(np.sum(state["ice_mass"]))
+        thickness = self.front(height, profiles["temperature"]) if ice > 0.0 else 0.0
         return {
             "mush": Measured(thickness, "m", "warpsph", panel="thickness of the mush"),
             "mush_exact": Measured(
@@ -153,7 +154,7 @@ class SodiumNitrate(Scenario):
             "heat": Measured(heat, "J", "of the box", per_depth=True, panel="heat"),
             "heat_taken": Measured(taken, "J", "taken by the wall", per_depth=True, panel="heat"),
             "mass": Measured(mass, "kg", "mass of liquid and ice", per_depth=True),
-            "ice_mass": Measured(float(np.sum(state["ice_mass"])), "kg", "mass of ice", per_depth=True),
+            "ice_mass": Measured(ice, "kg", "mass of ice", per_depth=True),
             "salt": Measured(float(np.sum(state["solute_mass"])), "kg", "mass of salt", per_depth=True),
             "temperature": Measured(profiles["temperature"], "K", "temperature", over="height"),
             "ice": Measured(profiles["solid_fraction"], "", "volume fraction of ice", over="height"),
