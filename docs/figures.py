@@ -28,6 +28,7 @@ from warpsph.scenarios.casting.travelling_slice import shell_thickness
 from warpsph.scenarios.elastic.cantilever import period, spectral_elements
 from warpsph.scenarios.flow.dam_break import published_front
 from warpsph.scenarios.flow.drop_shape import swing_of
+from warpsph.scenarios.freezing.sodium_nitrate import EARLY, LATE
 
 matplotlib.use("Agg")
 
@@ -275,6 +276,57 @@ def cavity(picture: Path) -> None:
         "40, published conduction": simulated("cavity", "paper"),
     }
     draw_cavity(result, [120000.0, 360000.0, 600000.0], shares, picture)
+
+
+@figure
+def sodium_nitrate(picture: Path) -> None:
+    """Temperature, ice and salt over the height beside the exact mush, and the thickness of the mush over time."""
+    kind = find_scenario("sodium_nitrate")
+    case, result = kind(), simulated("sodium_nitrate")
+    narrow = {n: simulated("sodium_nitrate", None, f"rows={n}", "columns=4") for n in (60, 120)}
+    printed = simulated("sodium_nitrate", None, "rows=60", "columns=4", "literal=true")
+    drawing, axes = plt.subplots(2, 2, figsize=(10, 8), layout="constrained")
+    temperature, ice, salt, thickness = axes.flat
+    y = np.linspace(1e-4, 0.25, 500)
+    for k, (time, label) in enumerate(((EARLY, "3 h 40 min"), (LATE, "25 h 30 min"))):
+        for panel, name, exact in (
+            (temperature, "temperature", case.exact.temperature(y, time) - 273.15),
+            (ice, "ice", case.exact.ice(y, time)),
+            (salt, "brine", case.exact.solute(y, time)),
+        ):
+            offset = 273.15 if name == "temperature" else 0.0
+            for n, run, marker in ((30, result, "o"), (60, narrow[60], ".")):
+                series = run.diagnostics
+                frame = int(np.argmin(np.abs(series["time"] - time)))
+                shown = f"{label}, {n} rows" if panel is temperature else None
+                values = series[name][frame] - offset
+                panel.plot(series["height"][frame], values, marker, mfc="none", ms=6, color=f"C{k}", label=shown)
+            panel.plot(y, exact, "k-", lw=0.8)
+    temperature.set(ylabel="temperature [°C]")
+    temperature.legend(frameon=False, fontsize=8)
+    ice.set(ylabel="volume fraction of ice")
+    salt.set(ylabel="mass fraction of salt in the liquid")
+    for panel in (temperature, ice, salt):
+        panel.set(xlabel="height [m]", xlim=(0.0, 0.25 if panel is temperature else 0.15))
+    hours = np.linspace(1e-3, LATE, 200) / 3600.0
+    for run, label, style in (
+        (result, "30 rows", "C0o"),
+        (narrow[60], "60 rows", "C1."),
+        (narrow[120], "120 rows", "C2-"),
+        (printed, "60 rows, (4.2) as printed", "C3-"),
+    ):
+        thickness.plot(run.diagnostics["time"] / 3600.0, 1e2 * run.diagnostics["mush"], style, ms=3, label=label)
+    thickness.plot(hours, [1e2 * case.exact.front(3600.0 * hour) for hour in hours], "k-", lw=0.8, label="exact")
+    thickness.set(xlabel="time [h]", ylabel="thickness of the mush [cm]")
+    thickness.legend(frameon=False, fontsize=8)
+    drawing.savefig(picture, dpi=150)
+    plt.close(drawing)
+
+
+@figure
+def sodium_nitrate_box(picture: Path) -> None:
+    """The box at the two times of the source, coloured by the volume fraction of ice."""
+    render_series(simulated("sodium_nitrate"), picture, [0.0, EARLY, LATE], field="solid_fraction")
 
 
 @figure

@@ -12,6 +12,7 @@ from warpsph.scenarios.flow.drop import Drop
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
 from warpsph.scenarios.freezing.cavity import Cavity
 from warpsph.scenarios.freezing.point_sink import PointSink
+from warpsph.scenarios.freezing.sodium_nitrate import SodiumNitrate
 from warpsph.scenarios.freezing.stefan_slab import StefanSlab
 
 __all__ = [
@@ -27,5 +28,6 @@ __all__ = [
     "PointSink",
     "RotatedDisc",
     "RubberRings",
+    "SodiumNitrate",
     "StefanSlab",
 ]

@@ -8,7 +8,15 @@ import numpy as np
 import warp as wp
 
 NUMPY = SimpleNamespace(
-    max=np.maximum, min=np.minimum, sqrt=np.sqrt, where=np.where, sin=np.sin, cos=np.cos, exp=np.exp, log=np.log
+    max=np.maximum,
+    min=np.minimum,
+    sqrt=np.sqrt,
+    where=np.where,
+    sin=np.sin,
+    cos=np.cos,
+    exp=np.exp,
+    log=np.log,
+    float64=np.float64,
 )
 
 

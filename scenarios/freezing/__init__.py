@@ -1,1 +1,1 @@
-"""Pure substances that freeze, at rest."""
+"""What freezes at rest."""

@@ -38,7 +38,8 @@ def test_fields(cast):
     fields = [field for kind in (Motion, *terms) for field in vars(kind).values() if isinstance(field, Field)]
     declared = {(field.name, field.unit, field.label) for field in fields if field.written}
     assert {tuple(row[:3]) for row in table("field")} == declared
-    assert [row[0] for row in table("field")] == list(cast.field_quantities)
+    in_cast = [row[0] for row in table("field") if row[0] in cast.field_quantities]
+    assert in_cast == list(cast.field_quantities)
 
 
 def test_codes():

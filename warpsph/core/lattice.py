@@ -59,6 +59,14 @@ class Lattice:
         """Laplacian that a sum of V (f_j - f_i) laplacian W finds for a field of second derivative 1."""
         return self._sum(name, "laplacian", 0.5 * self.offsets[:, 0] ** 2)
 
+    def coupling(self, name: str) -> tuple[float, float]:
+        """Sum of 2 V (-W'/r) over the neighbours [1/m^2], and the same at no distance, both over the slope.
+
+        Times a diffusivity: how fast a particle follows all its neighbours, and one that stands where it stands.
+        """
+        neighbours, here = (self._sum(name, "slope", -2.0, places) for places in (self.offsets, np.zeros((1, 3))))
+        return neighbours / self.slope(name), here / self.slope(name)
+
     def surface(self, name: str, threshold: float) -> tuple[float, float]:
         """Sum of V (|grad c| - threshold), where positive, over the particles under a unit of a face of the lattice.
 

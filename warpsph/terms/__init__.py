@@ -1,5 +1,6 @@
 """The physics: one file a term."""
 
+from warpsph.terms.alloy import Alloy
 from warpsph.terms.colour_field_tension import ColourFieldTension
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.contact import Contact
@@ -8,12 +9,15 @@ from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.fluid import Fluid
 from warpsph.terms.heat_sources import HeatSources, PointSource
 from warpsph.terms.heat_wall import HeatWall, cut_cells
+from warpsph.terms.liquidus import Liquidus
 from warpsph.terms.phase_change import PhaseChange
+from warpsph.terms.solute import Solute
 from warpsph.terms.summed_density import SummedDensity
 from warpsph.terms.surface_tension import SurfaceTension
 from warpsph.terms.whole_phases import WholePhases
 
 __all__ = [
+    "Alloy",
     "ColourFieldTension",
     "Conduction",
     "Contact",
@@ -22,8 +26,10 @@ __all__ = [
     "Fluid",
     "HeatSources",
     "HeatWall",
+    "Liquidus",
     "PhaseChange",
     "PointSource",
+    "Solute",
     "SummedDensity",
     "SurfaceTension",
     "WholePhases",

@@ -71,7 +71,7 @@ class Conduction(Term):
         ratio = self.support_ratio
         require(self, "support_ratio", ratio is None or 1.2 <= number(ratio) <= 10.0, "from 1.2 to 10 spacings")
 
-    provides = ("conduction",)
+    provides = ("conduction", "temperature")
 
     temperature = Field(float, "K", "temperature", start=293.15, written=True, colours="inferno")
     enthalpy = Field(float, "J/kg", "specific enthalpy", compensated=True, written=True, colours="inferno")

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import warp as wp
+from scipy.integrate import trapezoid
 
 from warpsph.core.lattice import Lattice
 from warpsph.kernels.basics import smoothing
@@ -47,3 +48,18 @@ def test_known_sums():
     assert plane.slope("spiky") == pytest.approx(0.9421, abs=5e-5)
     assert space.slope("spiky") == pytest.approx(0.9648, abs=5e-5)
     assert 2.0 * plane.surface("poly6", 0.0)[0] == pytest.approx(plane.slope("poly6"), rel=1e-12)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_coupling(dimension):
+    """If it failed, time steps made of it would be too long. A wide support: sums go to the integral of 2 (-W'/r)."""
+    around, here = Lattice(dimension, 0.1, 2.0).coupling("cubic_spline")
+    if dimension == 2:
+        assert around == pytest.approx(334.65, rel=1e-4)  # nine points, in double precision by hand
+        assert here == pytest.approx(269.31, rel=1e-4)
+    wide = Lattice(dimension, 0.1, 6.0)
+    H = wide.support
+    r = np.linspace(0.0, H, 2001)
+    shape = on_host(smoothing.cubic_spline_slope)(r**2, H) * smoothing.normalisation("cubic_spline", dimension, H)
+    exact = trapezoid(-2.0 * shape * (2.0 * np.pi * r if dimension == 2 else 4.0 * np.pi * r**2), r)
+    assert sum(wide.coupling("cubic_spline")) == pytest.approx(exact, rel=0.02)
