@@ -75,9 +75,9 @@ def casting_demo(picture: Path) -> None:
 
 
 @figure
-def casting_thesis(picture: Path) -> None:
-    """The strand at four times, at the resolution of the thesis."""
-    render_series(simulated("casting", "thesis"), picture, [0.0, 6.0, 12.0, 18.0])
+def casting_steady(picture: Path) -> None:
+    """The strand at four times, until it is steady."""
+    render_series(simulated("casting", "steady"), picture, [0.0, 15.0, 30.0, 60.0])
 
 
 @figure
