@@ -85,7 +85,7 @@ class CastingMachine:
         beside = max(high[0] for _, high in (*nozzle.walls, nozzle.bore))
         sides = max(0.25 * case.half_width, beside), 0.75 * case.half_width
         low, high = (round(side / case.spacing) * case.spacing for side in sides)
-        depth = (-1.0, 1.0) if case.dimension == 2 else (low, high)
+        depth = (-1.0, 1.0) if case.dimension == 2 else (0.0, high)
         return LevelGauge(
             low=(low, 0.0, depth[0]),
             high=(high, 2.0 * case.mould_top, depth[1]),
