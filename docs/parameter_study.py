@@ -32,8 +32,8 @@ COLUMN_STUDY = {
 STRAND_STUDY = {
     "spacing [m] (number of particles)": [{"spacing": spacing} for spacing in (0.004, 0.003)],
     "support radius, H/dx": [{"support_ratio": ratio} for ratio in (2.2, 2.6, 3.0, 3.5)],
-    "speed of sound [m/s]": [{"sound_speed": speed} for speed in (7.0, 10.0, 20.0)],
-    "viscosity [Pa s]": [{"viscosity": viscosity} for viscosity in (0.06, 0.6, 6.0, 30.0)],
+    "speed of sound [m/s]": [{"sound_speed": speed} for speed in (7.0, 10.0, 14.0)],
+    "viscosity [Pa s]": [{"viscosity": viscosity} for viscosity in (4.0, 6.0, 12.0, 30.0)],
     "time step over (7.6)": [{"step_factor": factor} for factor in (0.5, 1.0, 1.5, 2.0)],
 }
 

@@ -8,7 +8,7 @@ from warpsph.scenarios.casting.parameters import CastingParameters
 from warpsph.scenarios.casting.travelling_slice import shell_thickness
 
 COMPRESSION = 0.10  # of the melt at the lower end, above which the pressure no longer is that of a fluid
-SHARPEST_SOUND = 60.0  # speed of sound times density and spacing over the viscosity, above which the melt boils
+SHARPEST_SOUND = 24.0  # speed of sound times density and spacing over the viscosity; at 28 the melt boiled
 BOILING_TIME = 0.6  # of water on the shell [s]
 MOST_DROPS = 3.0  # of water on one spacing of the shell
 LAYERS = 2.0  # layers of particles that the shell needs where it leaves the mould

@@ -17,8 +17,8 @@ DEEP |= {"nozzle_mouth": 1.0, "roll_first": 0.38}
     ("given", "key"),
     [
         ({"sound_speed": 5.0}, "sound_speed"),
-        (DEEP, "sound_speed"),
-        (DEEP | {"sound_speed": 20.0, "viscosity": 12.0}, "youngs_modulus"),
+        (DEEP | {"viscosity": 30.0}, "sound_speed"),
+        (DEEP | {"sound_speed": 20.0, "viscosity": 30.0}, "youngs_modulus"),
         ({"casting_speed": 0.04}, "casting_speed"),
         ({"youngs_modulus": 2e3}, "youngs_modulus"),
         ({"sound_speed": 100.0}, "sound_speed"),
