@@ -14,7 +14,7 @@ from warpsph.scenarios.casting.experiments import INLETS, mean_shell, whole_cycl
 
 DOTS_PER_INCH = 150
 PHASES = 20  # of a cycle of the mould
-EVENT_NAMES = {THINS: "shell thins", HOLE: "hole", OUTFLOW: "melt runs out"}
+EVENT_NAMES = {"sprays fail": "sprays fail", THINS: "shell thins", HOLE: "hole", OUTFLOW: "melt runs out"}
 
 
 def draw_inlets(results: list[ResultFile], picture: Path) -> None:
@@ -78,8 +78,8 @@ def draw_breakout_shell(failed: ResultFile, control: ResultFile, case: Breakout,
 
 def _label_events(panel: Axes, events: list[tuple[float, str]], top: float) -> None:
     """Lines at the moments of a breakout, each name at a height of its own, so that none lies over another."""
-    for k, (time, text) in enumerate(events):
-        name = next((name for word, name in EVENT_NAMES.items() if word in text), "sprays fail")
+    moments = [(time, text, name) for time, text in events for word, name in EVENT_NAMES.items() if word in text]
+    for k, (time, text, name) in enumerate(moments):
         panel.axvline(time, color="w", lw=1, ls="--")
         after = time < 0.3 * panel.get_xlim()[1] or OUTFLOW in text
         side, name = ("left", f" {name}") if after else ("right", f"{name} ")

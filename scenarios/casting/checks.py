@@ -100,14 +100,15 @@ def _shell_checks(case: CastingParameters, result: Result) -> list[Check]:
     profiles = case.slices(heights)
     exact = np.array([shell_thickness(profile, case.steel, case.half_width, 0.5) for profile in profiles])
     thick = made & (exact > 2.0 * case.spacing)
-    places = {"in the mould": heights >= case.mould_bottom, "below the mould": heights < case.mould_bottom}
+    below, half_way = heights < case.mould_bottom, 0.5 * (case.mould_bottom + case.level)
+    places = {"in the lower mould": (~below & (heights < half_way), 0.15), "below the mould": (below, 0.25)}
     return [
         Check(
             case.name, f"shell {place} that the run has made, {heights[here][0]:.2f} to {heights[here][-1]:.2f} m", "m",
-            float(np.mean(d["shell_thickness"][last_third][:, here])), float(np.mean(exact[here])), 0.25,
+            float(np.mean(d["shell_thickness"][last_third][:, here])), float(np.mean(exact[here])), tolerance,
             "one-dimensional enthalpy conduction of a stagnant slice with the same wall",
-            reason="the melt moves, and the jet brings its superheat to the shell below the nozzle",
+            reason="the melt moves: the jet brings down the superheat that the slice keeps at the top",
         )
-        for place, there in places.items()
+        for place, (there, tolerance) in places.items()
         if np.any(here := thick & there)
     ]  # fmt: skip

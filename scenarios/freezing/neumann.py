@@ -5,38 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import erf, erfc
 
+from warpsph.scenarios.freezing.front import FreezingFront
+
 
 @dataclass(frozen=True)
-class Neumann:
-    """A front at ``2 similarity sqrt(a_solid t)`` from the plane, a = conductivity / (density heat_capacity).
+class Neumann(FreezingFront):
+    """From a plane of constant temperature.
 
     Carslaw & Jaeger (1959), chapter XI; with the same properties in both phases equations (3.2) to (3.6) of Monaghan,
-    Huppert & Worster (2005). Temperatures in K, otherwise SI units.
-
-    Args:
-        similarity: lambda, which with the other numbers gives the temperature of the plane.
-        melting, start: melting point and temperature of the melt at the start.
+    Huppert & Worster (2005).
     """
-
-    similarity: float
-    melting: float
-    start: float
-    density: float
-    latent_heat: float
-    heat_capacity_solid: float
-    heat_capacity_liquid: float
-    conductivity_solid: float
-    conductivity_liquid: float
-
-    @property
-    def diffusivity_solid(self) -> float:
-        """[m^2/s]."""
-        return self.conductivity_solid / (self.density * self.heat_capacity_solid)
-
-    @property
-    def diffusivity_liquid(self) -> float:
-        """[m^2/s]."""
-        return self.conductivity_liquid / (self.density * self.heat_capacity_liquid)
 
     @property
     def plane(self) -> float:
@@ -46,10 +24,6 @@ class Neumann:
         in_melt = self.conductivity_liquid / self.conductivity_solid * ratio * (self.start - self.melting)
         in_melt *= np.exp(-((s * ratio) ** 2)) / erfc(s * ratio)
         return float(self.melting - erf(s) * np.exp(s**2) * (latent + in_melt))  # Monaghan (3.6), phases set apart
-
-    def front(self, time: float | np.ndarray) -> np.ndarray:
-        """Distance [m] of the front from the plane."""
-        return 2.0 * self.similarity * np.sqrt(self.diffusivity_solid * np.asarray(time, float))  # Monaghan (3.5)
 
     def temperature(self, y: np.ndarray, time: float) -> np.ndarray:
         """T (n,) [K] at the distances ``y`` (n,) [m] from the plane, at a ``time`` [s] after the start."""
