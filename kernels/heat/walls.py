@@ -91,16 +91,31 @@ def chain_of(walls: HeatWalls, number: int, mirrors: int) -> wp.vec3i:
 
 
 @wp.func
+def passing_share(walls: HeatWalls, p: int, d: float, k: float) -> float:
+    """By which share of what it is warmer than the outside of plane p a body gives an image that is colder than it.
+
+    It has the conductivity ``k`` and stands at the distance ``d`` [m]: 2 where the temperature of the plane is given,
+    none where it is insulated.
+    """
+    h = walls.conductance[p]
+    if h < wp.inf:
+        return 2.0 * d * h / (d * h + k)
+    return 2.0
+
+
+@wp.func
+def supply(walls: HeatWalls, p: int, d: float, k: float) -> float:
+    """How much warmer [K] the image behind plane p is for what is given there: an outside, and a flux into the body."""
+    return passing_share(walls, p, d, k) * walls.outside[p] - 2.0 * d * walls.flux[p] / k
+
+
+@wp.func
 def drop_across(walls: HeatWalls, p: int, T: float, d: float, k: float) -> float:
     """How much colder [K] the image behind plane p is than what it is an image of: 2 d q / k.
 
     q is the flux that leaves a body of the temperature ``T`` at the distance ``d`` [m] and of the conductivity ``k``.
     """
-    h = walls.conductance[p]
-    share = float(2.0)
-    if h < wp.inf:
-        share = 2.0 * d * h / (d * h + k)
-    return share * (T - walls.outside[p]) + 2.0 * d * walls.flux[p] / k
+    return passing_share(walls, p, d, k) * (T - walls.outside[p]) + 2.0 * d * walls.flux[p] / k
 
 
 @wp.func

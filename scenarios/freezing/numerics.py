@@ -3,12 +3,16 @@
 from enum import StrEnum
 from typing import Any
 
-from warpsph.cases.scenario import Scenario, parameter
+from pydantic import model_validator
+
+from warpsph.cases.scenario import parameter
 from warpsph.core.materials import Material, melting_material
 from warpsph.core.term import Term
+from warpsph.scenarios.conduction.time_stepping import ConductingScenario, Stepping
 from warpsph.terms import Conduction, PhaseChange, WholePhases
 
 SOURCE = "Monaghan, Huppert & Worster (2005)"
+LONGEST_EXPLICIT = 0.15  # Monaghan (2.20)
 
 
 class Phases(StrEnum):
@@ -19,7 +23,7 @@ class Phases(StrEnum):
     FRONT = "front"  # like the solid towards colder particles, like the liquid towards warmer ones
 
 
-class Freezing(Scenario):
+class Freezing(ConductingScenario):
     """A pure substance at rest that freezes, by the cubic spline."""
 
     smoothing_length: float = parameter(
@@ -27,7 +31,21 @@ class Freezing(Scenario):
     )
     exact_on_lattice: bool = parameter(True, "", "whether conduction is divided by what the lattice makes of it")
     phases: Phases = parameter(Phases.FRONT, "", "how particles conduct that freeze: front, curve, or stored")
-    step: float = parameter(0.15, "", "time step over density heat_capacity h^2 / conductivity", gt=0, le=0.15)
+    step: float = parameter(
+        LONGEST_EXPLICIT,
+        "",
+        "time step over density heat_capacity h^2 / conductivity; 0.15 if explicit",
+        gt=0,
+        le=150,
+    )
+
+    @model_validator(mode="after")
+    def _check_step(self) -> "Freezing":
+        if self.integrator is Stepping.EXPLICIT and self.step > LONGEST_EXPLICIT:
+            raise ValueError(
+                f"step = {self.step}: {LONGEST_EXPLICIT} at most with integrator = explicit; take another one, or less"
+            )
+        return self
 
     @property
     def method(self) -> str:
@@ -42,6 +60,7 @@ class Freezing(Scenario):
         """Conduction, with ``further`` arguments, and the change of phase; ``longest`` is the time step [s]."""
         conduction = Conduction(
             longest_interval=longest,
+            integrator=self.stepping,
             smoothing="cubic_spline",
             support_ratio=2.0 * self.smoothing_length,
             exact_on_lattice=self.exact_on_lattice,

@@ -5,6 +5,7 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 import warp as wp
@@ -17,11 +18,15 @@ from warpsph.kernels.basics.barrier import barrier
 SLICES_PER_THREAD = 8
 
 
+@dataclass
 class Recording:
-    """A piece of work recorded once and replayed many times without the interpreter."""
+    """A piece of work recorded once and replayed many times without the interpreter.
 
-    def __init__(self, graphs: list[wp.Graph]):
-        self.graphs = graphs
+    Attributes:
+        stages: graphs, one a thread, and between them what the host does.
+    """
+
+    stages: list[list[wp.Graph] | Callable[[], None]]
 
 
 class Executor:
@@ -47,6 +52,9 @@ class Executor:
         self.threads = 1 if self.device.is_cuda else _thread_count(threads)
         self._slice: int | None = None
         self._in_section = False
+        self._capture: wp.ScopedCapture | None = None
+        self._graphs: list[wp.Graph] = []
+        self._work_of_host: list[Callable[[], None]] = []
         self._meeting = wp.zeros(64, dtype=int, device=self.device)
         self._pool = ThreadPoolExecutor(self.threads, "warpsph")
 
@@ -102,22 +110,61 @@ class Executor:
         """Do ``body`` if ``flag[0]`` is not zero; decided on the device."""
         wp.capture_if(flag, on_true=body)
 
+    def on_host(self, work: Callable[[], None]) -> None:
+        """Do ``work`` on the host, between what is launched before and after; not inside a section or a condition."""
+        if self._capture is None:
+            work()
+            return
+        self._end_stage()
+        self._work_of_host.append(work)
+        self._begin_stage()
+
     def record(self, work: Callable[[], None]) -> Recording:
         """Record the launches of ``work`` for :meth:`replay`."""
-        graphs = []
+        threads = []
         for index in range(self.threads):
             self._slice = None if self.on_cuda else index
+            self._graphs, self._work_of_host = [], []
+            self._begin_stage()
             try:
-                with wp.ScopedCapture(self.device) as capture:
-                    work()
+                work()
             finally:
+                self._end_stage()
                 self._slice = None
-            graphs.append(capture.graph)
-        return Recording(graphs)
+            threads.append(self._graphs)
+        first, *others = (list(graphs) for graphs in zip(*threads, strict=True))
+        stages: list[list[wp.Graph] | Callable[[], None]] = [first]
+        for host, graphs in zip(self._work_of_host, others, strict=True):
+            stages += [host, graphs]
+        return Recording(stages)
+
+    def _begin_stage(self) -> None:
+        self._capture = wp.ScopedCapture(self.device)
+        self._capture.__enter__()
+
+    def _end_stage(self) -> None:
+        capture, self._capture = self._capture, None
+        capture.__exit__(None, None, None)
+        self._graphs.append(capture.graph)
 
     def replay(self, schedule: Sequence[tuple[Recording, int]]) -> None:
         """Replay recordings in order, each the given number of times, and wait for the end."""
-        jobs = [self._pool.submit(_replay, schedule, index) for index in range(self.threads)]
+        waiting: list[tuple[list[wp.Graph], int]] = []
+        for recording, count in schedule:
+            if len(recording.stages) == 1:
+                waiting.append((recording.stages[0], count))
+                continue
+            for stage in recording.stages * count:
+                if callable(stage):
+                    self._replay(waiting)
+                    waiting = []
+                    stage()
+                else:
+                    waiting.append((stage, 1))
+        self._replay(waiting)
+
+    def _replay(self, graphs: Sequence[tuple[list[wp.Graph], int]]) -> None:
+        jobs = [self._pool.submit(_launch_graphs, graphs, index) for index in range(self.threads)]
         try:
             wait(jobs)
         finally:
@@ -137,11 +184,10 @@ class Executor:
             self.meet()
 
 
-def _replay(schedule: Sequence[tuple[Recording, int]], index: int) -> None:
-    for recording, count in schedule:
-        graph = recording.graphs[index]
+def _launch_graphs(graphs: Sequence[tuple[list[wp.Graph], int]], index: int) -> None:
+    for of_threads, count in graphs:
         for _ in range(count):
-            wp.capture_launch(graph)
+            wp.capture_launch(of_threads[index])
 
 
 @contextmanager

@@ -42,6 +42,10 @@ class Launch:
         """Do ``body`` if the value called ``flag`` is not zero; decided on the device."""
         self.executor.when(self.find(flag), body)
 
+    def on_host(self, work: Callable[[], None]) -> None:
+        """Do ``work`` on the host, between what is launched before and after it; see :meth:`Executor.on_host`."""
+        self.executor.on_host(work)
+
     def section(self) -> AbstractContextManager[None]:
         """Launches inside do not wait for each other; see :meth:`Executor.section`."""
         return self.executor.section()

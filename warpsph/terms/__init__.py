@@ -9,6 +9,7 @@ from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.fluid import Fluid
 from warpsph.terms.heat_sources import HeatSources, PointSource
 from warpsph.terms.heat_wall import HeatWall, cut_cells
+from warpsph.terms.integrators import BackwardEuler, CrankNicolson, Explicit
 from warpsph.terms.liquidus import Liquidus
 from warpsph.terms.phase_change import PhaseChange
 from warpsph.terms.solute import Solute
@@ -18,11 +19,14 @@ from warpsph.terms.whole_phases import WholePhases
 
 __all__ = [
     "Alloy",
+    "BackwardEuler",
     "ColourFieldTension",
     "Conduction",
     "Contact",
     "ContinuityDensity",
+    "CrankNicolson",
     "Elasticity",
+    "Explicit",
     "Fluid",
     "HeatSources",
     "HeatWall",

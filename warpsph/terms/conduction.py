@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,10 +19,16 @@ from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import CONDUCTING, SUM_HEAT, ThermalTable, add_heat, update_temperature
+from warpsph.kernels.heat.implicit import FIND_ITERATE, supply_no_heat
+from warpsph.kernels.heat.rows import FIND_ROWS
 from warpsph.kernels.heat.walls import ADD_HEAT_OF_IMAGES, HeatWalls, count_heat, find_walls_near
 from warpsph.terms.heat_wall import LARGEST, SLACK, HeatWall, refuse_misfits
+from warpsph.terms.implicit_heat import ImplicitHeat
+from warpsph.terms.integrators import Explicit, Implicit, Integrator
 
 MOST_WALLS = 30  # a bit each
+EXPLICIT = Explicit()
+DEFAULT_INTERVAL = 1.0e-3  # [s]
 
 # Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what lattices bear, H = 2 to 3 dx.
 STABLE = {
@@ -36,7 +43,8 @@ class Conduction(Term):
 
     Args:
         films: conductance [W/(m^2 K)] of a film between two materials, by their names; 0 lets no heat pass.
-        longest_interval: largest time between two conduction steps [s], beside the stability limit.
+        longest_interval: largest time between two conduction steps [s], beside the stability limit; by default 1 ms. An
+            implicit integrator has no such limit and must be given one.
         walls: planes on which temperature, film, flux or insulation is given.
         smoothing: name of the smoothing kernel, one of :data:`warpsph.kernels.heat.conduction.CONDUCTING`.
         support_ratio: its support over the spacing, by default that of the model; a cubic spline of smoothing length h
@@ -44,21 +52,29 @@ class Conduction(Term):
         exact_on_lattice: whether the sum is divided by what the lattice makes of a linear profile.
         sharp_fronts: whether a particle of a pure substance that freezes has a front in it, solid on its colder side
             and liquid on the other, instead of one conductivity in between. For what is at rest on a lattice.
+        integrator: ``Explicit()``, ``BackwardEuler()`` or ``CrankNicolson()``.
 
     One with walls belongs to one simulation; ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are then
     device arrays that may be changed during a run.
     """
 
     films: dict[tuple[str, str], float] = field(default_factory=dict)
-    longest_interval: float = 1.0e-3
+    longest_interval: float | None = None
     walls: Sequence[HeatWall] = ()
     smoothing: str = "poly6"
     support_ratio: float | None = None
     exact_on_lattice: bool = True
     sharp_fronts: bool = False
+    integrator: Integrator = EXPLICIT
 
     def __post_init__(self) -> None:
-        require(self, "longest_interval", number(self.longest_interval) > 0.0, "positive [s]")
+        given = self.longest_interval is not None
+        require(self, "longest_interval", not given or number(self.longest_interval) > 0.0, "positive [s]")
+        require(self, "integrator", isinstance(self.integrator, Integrator), "Explicit(), BackwardEuler(), ...")
+        if not (given or isinstance(self.integrator, Explicit)):
+            raise InputError(
+                "Conduction: longest_interval: an implicit integrator is stable for any step; say how long it is [s]"
+            )
         allowed = "conductances [W/(m^2 K)] by pair of names of materials, as in {('steel', 'copper'): 1500.0}"
         require(self, "films", isinstance(self.films, dict), allowed)
         for pair, conductance in self.films.items():
@@ -95,10 +111,15 @@ class Conduction(Term):
         def hold(name: str, array: wp.array, scratch: bool = False) -> None:
             self.arrays[name] = state.hold(f"conduction.{name}", array, scratch)
 
+        explicit = isinstance(self.integrator, Explicit)
+        if explicit and not self.walls:
+            return
+        if "_implicit" in self.__dict__ or self.arrays:
+            raise InputError("this Conduction belongs to another simulation already; make a new one")
+        if not explicit:
+            self.__dict__["_implicit"] = self._implicit_heat(model, state)
         if not self.walls:
             return
-        if self.arrays:
-            raise InputError("this Conduction belongs to another simulation already; make a new one")
         for name in ("conductance", "outside", "flux"):
             given = [getattr(wall, name) for wall in self.walls]
             hold(f"wall_{name}", wp.array(given, dtype=float, device=state.device))
@@ -109,7 +130,10 @@ class Conduction(Term):
             hold(name, wp.zeros(state.count, dtype=int, device=state.device), scratch=True)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        return {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
+        constants = {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
+        if (implicit := self.implicit) is not None:
+            constants |= {"solution": implicit.solution, "rows": implicit.rows}
+        return constants
 
     def lattice(self, model: Model) -> Lattice:
         """The lattice of particles, with the support of conduction."""
@@ -120,13 +144,15 @@ class Conduction(Term):
 
     def longest_intervals(self, model: Model) -> dict[str, float]:
         """By pair of materials, for the conductivity that the pair has, and the longest interval asked for."""
-        limits = {"longest interval": self.longest_interval}
+        limits = {"longest interval": self.longest_interval or DEFAULT_INTERVAL}
+        if isinstance(self.integrator, Implicit):
+            return limits
         films, support = self._films(model), self.lattice(model).support
         share, equation, borne = STABLE[self.smoothing]
         if self.sharp_fronts:
             share = min(share, 0.5 * borne)  # a thin layer lets up to twice as much pass
         for a, material in enumerate(model.materials):
-            capacity = _lowest_heat_capacity(material)
+            capacity = float(np.min(_heat_capacities(material)))
             for b, other in enumerate(model.materials):
                 conductivity = _harmonic(_highest_conductivity(material), _highest_conductivity(other))
                 if np.isfinite(films[a, b]):
@@ -138,12 +164,18 @@ class Conduction(Term):
         return limits
 
     def sum_heat(self, launch: Launch) -> None:
+        if self.implicit is not None:
+            launch(supply_no_heat)
+            return
         launch(SUM_HEAT[self.sharp_fronts][self.smoothing])
         if self.walls:
             launch(find_walls_near)
             launch(ADD_HEAT_OF_IMAGES[self.sharp_fronts][self.smoothing])
 
     def add_heat(self, launch: Launch) -> None:
+        if self.implicit is not None:
+            launch.on_host(partial(self.implicit.advance, launch, launch.find("interval")))
+            return
         launch(add_heat)
         if self.walls:
             launch(count_heat)
@@ -159,6 +191,11 @@ class Conduction(Term):
                 f"the enthalpy of particle {state.numpy('id')[bad[0]]} at ({place}) m is not a number before "
                 f"t = {float(state.time.numpy()[0]):.6g} s"
             )
+
+    @property
+    def implicit(self) -> ImplicitHeat | None:
+        """What solves the steps of an implicit integrator, once it belongs to a simulation."""
+        return self.__dict__.get("_implicit")
 
     @property
     def wall_conductance(self) -> wp.array:
@@ -192,6 +229,27 @@ class Conduction(Term):
         if name not in self.arrays:
             raise InputError("Conduction: it belongs to no simulation yet; build one first")
         return self.arrays[name].numpy().sum(axis=1, dtype=float)
+
+    def _implicit_heat(self, model: Model, state: State) -> ImplicitHeat:
+        kept = any("conductivity" in term.provides for term in model.terms)
+        same = all(material.conductivity_solid == material.conductivity_liquid for material in model.materials)
+        straight = all(len(_heat_capacities(material)) == 1 for material in model.materials)
+        find_rows = FIND_ROWS[self.sharp_fronts][self.smoothing]
+
+        def rows(launch: Launch) -> None:
+            if self.walls:
+                launch(find_walls_near)
+            launch(find_rows)
+
+        return ImplicitHeat(
+            self.integrator,
+            state,
+            len(self.walls),
+            linear=straight and (kept or same),
+            symmetric=all(wall.conductance in (0.0, np.inf) for wall in self.walls),
+            find_iterate=lambda launch: launch(FIND_ITERATE[not kept]),
+            find_rows=rows,
+        )
 
     def _films(self, model: Model) -> np.ndarray:
         """Conductivity over distance (materials, materials) [W/(m^2 K)] in series with a pair, infinite without a film.
@@ -244,10 +302,11 @@ class Conduction(Term):
         return table
 
 
-def _lowest_heat_capacity(material: Material) -> float:
-    """The lowest slope [J/(kg K)] of the enthalpy curve."""
-    rise = np.diff(material.temperatures)
-    return float(np.min(np.diff(material.enthalpies)[rise > 0.0] / rise[rise > 0.0]))
+def _heat_capacities(material: Material) -> np.ndarray:
+    """The slopes [J/(kg K)] of the enthalpy curve that differ, infinite where latent heat passes at one temperature."""
+    with np.errstate(divide="ignore"):
+        slopes = np.diff(material.enthalpies) / np.diff(material.temperatures)
+    return np.unique(np.round(slopes / slopes[0], 9)) * slopes[0]
 
 
 def _highest_conductivity(material: Material) -> float:

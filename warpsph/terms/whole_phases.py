@@ -25,7 +25,7 @@ class WholePhases(Term):
     conductivity follows the solid fraction.
     """
 
-    provides = ("a change of phase",)
+    provides = ("a change of phase", "conductivity")
     needs = ("conduction",)
     follows = ("conduction",)
 
