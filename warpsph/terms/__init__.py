@@ -7,6 +7,7 @@ from warpsph.terms.contact import Contact
 from warpsph.terms.continuity_density import ContinuityDensity
 from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.fluid import Fluid
+from warpsph.terms.gradient_walls import GradientWalls
 from warpsph.terms.heat_sources import HeatSources, PointSource
 from warpsph.terms.heat_wall import HeatWall, cut_cells
 from warpsph.terms.integrators import BackwardEuler, CrankNicolson, Explicit
@@ -28,6 +29,7 @@ __all__ = [
     "Elasticity",
     "Explicit",
     "Fluid",
+    "GradientWalls",
     "HeatSources",
     "HeatWall",
     "Liquidus",
