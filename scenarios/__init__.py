@@ -4,6 +4,8 @@ from warpsph.scenarios.breakout.breakout import Breakout
 from warpsph.scenarios.casting.casting import Casting
 from warpsph.scenarios.conduction.heat_gaussian import HeatGaussian
 from warpsph.scenarios.conduction.heat_slab import HeatSlab
+from warpsph.scenarios.conduction.plate_convective import PlateConvective
+from warpsph.scenarios.conduction.plate_fixed import PlateFixed
 from warpsph.scenarios.elastic.cantilever import Cantilever
 from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
 from warpsph.scenarios.elastic.rubber_rings import RubberRings
@@ -25,6 +27,8 @@ __all__ = [
     "HeatGaussian",
     "HeatSlab",
     "Hydrostatic",
+    "PlateConvective",
+    "PlateFixed",
     "PointSink",
     "RotatedDisc",
     "RubberRings",
