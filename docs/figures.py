@@ -13,6 +13,7 @@ import numpy as np
 from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
 from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stefan
 from matplotlib.colors import LogNorm
+from plate_figures import draw_errors, draw_isotherms
 
 from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario
@@ -231,6 +232,49 @@ def heat_slab(picture: Path) -> None:
     axes[2].legend(frameon=False)
     drawing.savefig(picture, dpi=150)
     plt.close(drawing)
+
+
+def _plate(name: str, preset: str | None = None, *settings: str):
+    """A plate and its run."""
+    layers = [preset_layer(find_scenario(name), preset)] if preset else []
+    case = resolve(find_scenario(name), [*layers, settings_layer(settings)])
+    return case, simulated(name, preset, *settings)
+
+
+@figure
+def plate_fixed(picture: Path) -> None:
+    """Isotherms of the plate between cold edges at the times of the source."""
+    runs = {"default": _plate("plate_fixed"), "published": _plate("plate_fixed", "paper")}
+    draw_isotherms(runs, [0.25, 1.0, 4.0, 8.0], np.arange(10.0, 100.0, 10.0), picture)
+
+
+@figure
+def plate_convective(picture: Path) -> None:
+    """Isotherms of the plate behind films at the times of the source."""
+    runs = {"default": _plate("plate_convective"), "published": _plate("plate_convective", "paper")}
+    draw_isotherms(runs, [0.5, 1.0, 4.0, 8.0], np.arange(60.0, 100.0, 4.0), picture)
+
+
+@figure
+def plate_errors(picture: Path) -> None:
+    """Errors of both plates over time, and against the number of particles."""
+    runs = {
+        "cold edges": simulated("plate_fixed"),
+        "cold edges, published": simulated("plate_fixed", "paper"),
+        "films": simulated("plate_convective"),
+        "films, published": simulated("plate_convective", "paper"),
+    }
+    counts, orders = [20, 40, 80, 160], {}
+    for label, name, settings in (
+        ("cold edges", "plate_fixed", ()),
+        ("films", "plate_convective", ()),
+        ("films, gradient on one side", "plate_convective", ("boundary=gradient",)),
+    ):
+        short = ("duration=1.0", "output_interval=1.0", "step=1.0", *settings)
+        orders[label] = [
+            float(simulated(name, None, f"across={n}", *short).diagnostics["rms_error"][-1]) for n in counts
+        ]
+    draw_errors(runs, counts, orders, picture)
 
 
 @figure

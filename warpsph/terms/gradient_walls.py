@@ -19,7 +19,7 @@ from warpsph.kernels.heat.gradient_walls import FIND_SURFACE, GradientPlanes, se
 from warpsph.terms.conduction import MOST_WALLS, Conduction
 from warpsph.terms.heat_wall import SLACK, HeatWall
 
-SWEEPS = 4  # where walls meet, particles on them see each other: what is left of a change falls to a sixth in each
+SWEEPS = 4  # where walls meet, particles on them see each other: what is left of a change falls to a fifth in each
 
 
 @dataclass(frozen=True, eq=False)
