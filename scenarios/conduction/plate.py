@@ -1,27 +1,23 @@
 """What the plates of Rook, Yildiz & Dost (2007) have in common: size, material, particles, errors against a series."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import ClassVar
 
 import numpy as np
 from pydantic import model_validator
 
-from warpsph.cases.check import Check
-from warpsph.cases.scenario import Scenario, parameter
+from warpsph.cases.scenario import parameter
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
-from warpsph.core.lattice import Lattice
 from warpsph.core.materials import solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
 from warpsph.run.measured import Measured, Values
-from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.conduction.plate_series import Plate
-from warpsph.scenarios.conduction.time_stepping import ConductingScenario, Stepping
+from warpsph.scenarios.conduction.time_stepping import ConductingScenario
 from warpsph.terms import Conduction, HeatWall
 
 DENSITY = 1000.0  # [kg/m^3]
@@ -125,7 +121,7 @@ class CoolingPlate(ConductingScenario):
             heat = np.sum((state["mass"].astype(float) * state["enthalpy"])[state["held"] == 0])
             taken = np.sum(conduction.heat_to_walls()) + np.sum(state["heat_held"])
             return {
-                "rms_error": Measured(_rms(error), "K", "root mean square", panel="error of T"),
+                "rms_error": Measured(rms(error), "K", "root mean square", panel="error of T"),
                 "largest_error": Measured(float(np.abs(error).max()), "K", "largest", panel="error of T"),
                 "heat": Measured(float(heat), "J", "of the particles that are not held", per_depth=True, panel="heat"),
                 "heat_taken": Measured(float(taken), "J", "taken by the edges", per_depth=True, panel="heat"),
@@ -146,98 +142,7 @@ class CoolingPlate(ConductingScenario):
             return np.zeros(len(position))
         return temperature - self.exact.temperature(position, time)
 
-    @property
-    def carried(self) -> float:
-        """What the sum over the lattice conducts over what it should."""
-        cells = self.share / self.spacing**2 if self.equal_shares else 1.0
-        factor = Lattice(2, self.spacing, 2.0 * self.smoothing_length).slope(SMOOTHING_KERNEL)
-        return cells * (1.0 if self.exact_on_lattice else factor)
 
-    def bias(self, time: float) -> float:
-        """Root mean square error [K] that follows from what is ``carried`` too much or too little, by the series."""
-        points = self.points
-        other = replace(self.exact, diffusivity=self.carried * self.diffusivity)
-        return _rms(other.temperature(points, time) - self.exact.temperature(points, time))
-
-    @property
-    def scale(self) -> float:
-        """The difference of temperature over that of the source, 100 K."""
-        return abs(self.start - self.exact.outside) / 100.0
-
-    @property
-    def coarseness(self) -> float:
-        """The spacing over what it is with forty particles along the shorter edge."""
-        return (40 - self.row_on_walls) * self.spacing / min(self.length, self.height)
-
-    @property
-    def stepped(self) -> str:
-        """How time goes on, for the names of checks."""
-        return self.integrator.value + ("" if self.integrator is Stepping.EXPLICIT else f", {self.step:g} s")
-
-    def times(self, result: Result) -> list[float]:
-        """Those times of the figures, over the square of the length and the diffusivity, at which there is a frame."""
-        unit, frames = self.length**2 / self.diffusivity, result.diagnostics["time"]
-        times = [fourier * unit for fourier in self.fouriers]
-        return [time for time in times if np.abs(frames - time).min() < 1e-3 * time]
-
-    def check_of(self, result: Result, time: float, method: str, tolerance: float, source: str, reason: str) -> Check:
-        """Root mean square error at ``time`` [s], beside the bias of a sum that is not exact on the lattice.
-
-        Beside zero where the ``method`` at the edges is said, which then has errors of its own.
-        """
-        series = result.diagnostics
-        exact, own = abs(self.carried - 1.0) < 1e-6, bool(method)
-        what = f"{method}, " if own else ""
-        what += "" if exact else f"the sum conducts {self.carried:.4f} of what it should, "
-        return Check(
-            self.name,
-            f"RMS temperature error at {time:g} s ({what}{self.stepped})",
-            "K",
-            float(series["rms_error"][np.argmin(np.abs(series["time"] - time))]),
-            None if exact or own else self.bias(time),
-            tolerance * self.scale,
-            f"{SOURCE}, equation {source}" + ("" if exact or own else ", for both conductivities"),
-            relative=False,
-            reason=reason,
-        )
-
-    def ledger(self, result: Result) -> Check:
-        """No heat is lost."""
-        series = result.diagnostics
-        lost = series["heat"][0] - series["heat"][-1] - series["heat_taken"][-1]
-        return Check(
-            self.name,
-            f"heat that is in no ledger, over the heat of the plate ({self.stepped})",
-            "",
-            float(lost / series["heat"][0]),
-            None,
-            1e-6,
-            "what the edges take, the plate loses",
-            reason="pairs exchange heat exactly; rounding of the enthalpies remains",
-        )
-
-    def order_of(self, simulate: Callable[[Scenario], Result], label: str, order: float, reason: str) -> Check:
-        """Order of convergence of the root mean square error from 20 to 160 across, with the longest stable steps.
-
-        After a hundredth of the square of the length over the diffusivity.
-        """
-        time, counts, errors = 0.01 * self.length**2 / self.diffusivity, np.array([20, 40, 80, 160]), []
-        for n in counts:
-            changes = {"across": int(n), "duration": time, "output_interval": time, "step": time}
-            case = type(self)(**self.model_dump() | changes)
-            errors.append(float(simulate(case).diagnostics["rms_error"][-1]))
-        return Check(
-            self.name,
-            f"order of convergence{label}, " + ", ".join(f"{error:.2g} K" for error in errors) + " with 20 to 160",
-            "",
-            float(-np.polyfit(np.log(counts - self.row_on_walls), np.log(errors), 1)[0]),
-            order,
-            0.2,
-            f"{SOURCE}, exact solution",
-            relative=False,
-            reason=reason,
-        )
-
-
-def _rms(error: np.ndarray) -> float:
+def rms(error: np.ndarray) -> float:
+    """Root mean square."""
     return float(np.sqrt(np.mean(error**2)))

@@ -10,6 +10,14 @@ from warpsph.core.executor import Executor
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.conduction.plate import SOURCE, CoolingPlate
+from warpsph.scenarios.conduction.plate_checks import (
+    allowed,
+    coarseness,
+    error_check,
+    figure_times,
+    ledger_check,
+    order_check,
+)
 from warpsph.scenarios.conduction.plate_series import ConvectivePlate
 from warpsph.terms import GradientWalls, HeatWall
 
@@ -56,15 +64,17 @@ class PlateConvective(CoolingPlate):
         return self.simulation(executor, particles, self.conduction(self.walls))
 
     def checks(self, result: Result) -> list[Check]:
-        coarser, stronger = self.coarseness, max(self.exact.ratio * self.length, 1.0)
+        coarser, stronger = coarseness(self), max(self.exact.ratio * self.length, 1.0)
         if self.boundary is Boundary.IMAGES:
-            method, tolerance = "", 0.02 * coarser**2 * min(stronger, 5.0)
-            reason = "second order in the spacing, at the edges too"
+            method, tolerance = "", min(stronger, 5.0) * allowed(self, 0.02 * coarser**2, 80.0, 1.6e4)
+            reason = "second order in the spacing, at the edges too; and the steps"
         else:
-            method, tolerance = "gradient on one side", 0.8 * coarser * min(stronger, 2.5)
+            method, tolerance = "gradient on one side", min(stronger, 2.5) * allowed(self, 0.8 * coarser, 80.0, 1.6e4)
             reason = "first order in the spacing: the gradient is found half a spacing from the edge"
-        checks = [self.check_of(result, time, method, tolerance, "(20)", reason) for time in self.times(result)]
-        return [*checks, self.ledger(result)]
+        checks = [
+            error_check(self, result, time, method, tolerance, "(20)", reason) for time in figure_times(self, result)
+        ]
+        return [*checks, ledger_check(self, result)]
 
     @classmethod
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
@@ -72,5 +82,7 @@ class PlateConvective(CoolingPlate):
         published = cls(boundary=Boundary.GRADIENT)
         for case in (cls(), resolve(cls, [preset_layer(cls, "paper")]), published):
             yield from case.checks(simulate(case))
-        yield cls().order_of(simulate, "", 2.0, "images continue a linear profile exactly, a bent one to second order")
-        yield published.order_of(simulate, ", gradient on one side", 1.0, "found half a spacing from the edge")
+        yield order_check(
+            cls(), simulate, "", 2.0, "images continue a linear profile exactly, a bent one to second order"
+        )
+        yield order_check(published, simulate, ", gradient on one side", 1.0, "found half a spacing from the edge")

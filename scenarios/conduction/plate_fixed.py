@@ -11,6 +11,14 @@ from warpsph.core.executor import Executor
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.conduction.plate import SOURCE, CoolingPlate
+from warpsph.scenarios.conduction.plate_checks import (
+    allowed,
+    coarseness,
+    error_check,
+    figure_times,
+    ledger_check,
+    order_check,
+)
 from warpsph.scenarios.conduction.plate_series import FixedPlate
 from warpsph.terms import HeatWall, cut_cells
 
@@ -49,13 +57,13 @@ class PlateFixed(CoolingPlate):
         return self.simulation(executor, particles, self.conduction(walls if self.planes else ()))
 
     def checks(self, result: Result) -> list[Check]:
-        reason = "second order in the spacing, over the depth to which the edges have cooled the plate"
-        early, coarser = 0.005 * self.length**2 / self.diffusivity, self.coarseness**2
-        checks = [
-            self.check_of(result, time, "", (0.3 if time < early else 0.1) * coarser, "(19)", reason)
-            for time in self.times(result)
-        ]
-        return [*checks, self.ledger(result)]
+        reason = "second order in the spacing, over the depth to which the edges have cooled the plate; and the steps"
+        coarser, checks = coarseness(self) ** 2, []
+        for time in figure_times(self, result):
+            early = time < 0.005 * self.length**2 / self.diffusivity
+            numbers = (0.35 * coarser, 2.5e3, 5.6e5) if early else (0.1 * coarser, 1e3, 8e4)
+            checks.append(error_check(self, result, time, "", allowed(self, *numbers), "(19)", reason))
+        return [*checks, ledger_check(self, result)]
 
     @classmethod
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
@@ -63,4 +71,6 @@ class PlateFixed(CoolingPlate):
         for layers in ([], [preset_layer(cls, "paper")]):
             case = resolve(cls, layers)
             yield from case.checks(simulate(case))
-        yield cls().order_of(simulate, "", 2.0, "smoothing error of second order, and steps that go with its square")
+        yield order_check(
+            cls(), simulate, "", 2.0, "smoothing error of second order, and steps that go with its square"
+        )

@@ -5,6 +5,7 @@ import pytest
 
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.errors import InputError
+from warpsph.scenarios.conduction.plate_checks import carried
 from warpsph.scenarios.conduction.plate_fixed import PlateFixed
 
 
@@ -33,7 +34,7 @@ def test_the_published_method_is_slow_by_the_area_of_its_particles(device):
     case = paper()
     assert case.share == pytest.approx(6.25e-6)
     assert case.smoothing_length * case.spacing == pytest.approx(0.0025)
-    assert case.carried == pytest.approx(0.9629, abs=5e-5)
+    assert carried(case) == pytest.approx(0.9629, abs=5e-5)
     result = case.run(device=device)
     assert [check for check in case.checks(result) if not check.passed] == []
     series = result.diagnostics
