@@ -7,6 +7,8 @@ import warp as wp
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.specialised import for_each_smoothing_kernel
 from warpsph.kernels.heat.conduction import CONDUCTING, ThermalTable
+from warpsph.kernels.heat.implicit import ImplicitStep
+from warpsph.kernels.heat.rows import HeatRows
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
@@ -125,3 +127,45 @@ def set_surface(
         temperature[i] = surface_temperature[i]
         enthalpy[i] = enthalpy_of(table, material[i], surface_temperature[i])
         enthalpy_carry[i] = 0.0
+
+
+def _bind_surface(slope: wp.Function) -> Callable[..., None]:
+    def bind_surface(
+        first: int,
+        table: ThermalTable,
+        neighbours: NeighbourList,
+        gradient_planes: GradientPlanes,
+        rows: HeatRows,
+        solution: ImplicitStep,
+        position: wp.array[wp.vec3],
+        role: wp.array[int],
+        on_gradient_walls: wp.array[int],
+        thermal_volume: wp.array[float],
+        conductivity: wp.array[float],
+    ):
+        """Write the rows of particles on walls: what :data:`FIND_SURFACE` solves for, times k V / support [W/K]."""
+        i = wp.tid() + first
+        on = on_gradient_walls[i]
+        solution.bound[i] = wp.where(on != 0, 1, 0)
+        if on == 0 or role[i] == Role.RESERVOIR:
+            return
+        factor = conductivity[i] * thermal_volume[i] / table.support
+        beyond = gradient_beyond(gradient_planes, on, conductivity[i])
+        diagonal = wp.float64(factor * beyond[0])
+        for k in range(neighbours.count[i]):
+            at = i * neighbours.row_stride + k * neighbours.entry_stride
+            j = index_of(neighbours.entry[at])
+            weight = float(0.0)
+            if role[j] != Role.RESERVOIR:
+                d = position[i] - position[j]
+                weight = gradient_weight(gradient_planes, on, d, slope(wp.dot(d, d), table.support))
+                weight *= factor * table.scale * thermal_volume[j]
+            rows.beside[at] = weight
+            diagonal += wp.float64(weight)
+        rows.diagonal[i] = diagonal
+        rows.source[i] = wp.float64(factor * beyond[1])
+
+    return bind_surface
+
+
+BIND_SURFACE = for_each_smoothing_kernel(_bind_surface, "slope", CONDUCTING, __name__)

@@ -26,7 +26,8 @@ class ImplicitStep:
     where latent heat passes and :data:`STILL` where the temperature is held. ``known`` [J], the heat at the end as far
     as it does not depend on it; ``moved`` [J], what has come since the begin; ``rest`` [J], by how much the equations
     are not fulfilled; ``terms`` [J], how large what they are made of is. ``change`` [K] of the temperature solves a
-    linear system; ``added`` [J/kg] is what the enthalpy gained with it.
+    linear system; ``added`` [J/kg] is what the enthalpy gained with it. ``bound`` (n,) is 1 for a particle that has no
+    heat of its own, but a row that says which temperature goes with those of its neighbours.
     """
 
     enthalpy: wp.array[wp.float64]
@@ -39,6 +40,7 @@ class ImplicitStep:
     rest: wp.array[wp.float64]
     change: wp.array[wp.float64]
     added: wp.array[wp.float64]
+    bound: wp.array[int]
 
 
 @wp.kernel
@@ -83,7 +85,7 @@ def _find_iterate(mixing: bool):
         T = T_low + slope * (h - low)
         solution.temperature[i] = T
         solution.capacity[i] = wp.float64(mass[i]) / slope
-        if role[i] == Role.RESERVOIR or held[i] != 0:
+        if role[i] == Role.RESERVOIR or (held[i] != 0 and solution.bound[i] == 0):
             solution.capacity[i] = STILL
         solid = float(0.0)
         if table.solidus[m] < table.liquidus[m]:
@@ -148,12 +150,19 @@ def find_rest(
     i = wp.tid() + first
     rest, moved = wp.float64(0.0), wp.float64(0.0)
     if solution.capacity[i] != STILL:
-        moved = wp.float64(mass[i]) * (solution.enthalpy[i] - solution.begun[i])
-        gained = heat_gained(rows, neighbours, solution.temperature, i) + rows.source[i]
-        rest = solution.known[i] + end * gained - wp.float64(mass[i]) * solution.enthalpy[i]
+        rest = end * (heat_gained(rows, neighbours, solution.temperature, i) + rows.source[i])
+        if solution.bound[i] == 0:
+            moved = wp.float64(mass[i]) * (solution.enthalpy[i] - solution.begun[i])
+            rest += solution.known[i] - wp.float64(mass[i]) * solution.enthalpy[i]
     solution.rest[i] = rest
     solution.moved[i] = moved
     solution.change[i] = wp.float64(0.0)
+
+
+@wp.func
+def stored(solution: ImplicitStep, i: int) -> wp.float64:
+    """The heat capacity [J/K] of a particle whose temperature moves, as it stands in its row."""
+    return wp.where(solution.bound[i] != 0, wp.float64(0.0), solution.capacity[i])
 
 
 @wp.func
@@ -183,7 +192,7 @@ def multiply_rows(
     i = wp.tid() + first
     product = x[i]
     if moves(solution.capacity[i]):
-        product = solution.capacity[i] * x[i] - end * heat_gained(rows, neighbours, x, i)
+        product = stored(solution, i) * x[i] - end * heat_gained(rows, neighbours, x, i)
     product = alpha * product
     if beta != wp.float64(0.0):
         product += beta * y[i]
@@ -206,7 +215,7 @@ def precondition(
     i = wp.tid() + first
     product = alpha * x[i]
     if moves(solution.capacity[i]):
-        product = product / (solution.capacity[i] + end * rows.diagonal[i])
+        product = product / (stored(solution, i) + end * rows.diagonal[i])
     if beta != wp.float64(0.0):
         product += beta * y[i]
     z[i] = product
@@ -235,7 +244,9 @@ def change_heat(
     i = wp.tid() + first
     added = wp.float64(0.0)
     if solution.capacity[i] != STILL:
-        heat = solution.rest[i] + end * heat_gained(rows, neighbours, solution.change, i)
+        heat = solution.capacity[i] * solution.change[i]
+        if solution.bound[i] == 0:
+            heat = solution.rest[i] + end * heat_gained(rows, neighbours, solution.change, i)
         added = heat / wp.float64(mass[i])
     solution.added[i] = added
     solution.enthalpy[i] += added
@@ -275,7 +286,8 @@ def count_implicit_heat(
 def settle_heat(first: int, solution: ImplicitStep, mass: wp.array[float]):
     """Make up for the rest, so that what one particle gains another one loses, whatever the tolerance."""
     i = wp.tid() + first
-    solution.enthalpy[i] += solution.rest[i] / wp.float64(mass[i])
+    if solution.bound[i] == 0:
+        solution.enthalpy[i] += solution.rest[i] / wp.float64(mass[i])
 
 
 @wp.kernel
@@ -289,7 +301,7 @@ def end_implicit(
 ):
     """Write the enthalpy (n,) [J/kg] of the particles and what single precision loses of it."""
     i = wp.tid() + first
-    if role[i] != Role.RESERVOIR and held[i] == 0:
+    if role[i] != Role.RESERVOIR and (held[i] == 0 or solution.bound[i] != 0):
         h = float(solution.enthalpy[i])
         enthalpy[i] = h
         enthalpy_carry[i] = float(wp.float64(h) - solution.enthalpy[i])

@@ -19,6 +19,7 @@ from warpsph.scenarios.conduction.plate_checks import (
     order_check,
 )
 from warpsph.scenarios.conduction.plate_series import ConvectivePlate
+from warpsph.scenarios.conduction.time_stepping import Stepping
 from warpsph.terms import GradientWalls, HeatWall
 
 
@@ -80,7 +81,9 @@ class PlateConvective(CoolingPlate):
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
         """The default, as published, the published edges with an exact sum; both orders of convergence."""
         published = cls(boundary=Boundary.GRADIENT)
-        for case in (cls(), resolve(cls, [preset_layer(cls, "paper")]), published):
+        paper = resolve(cls, [preset_layer(cls, "paper")])
+        implicit = {"integrator": Stepping.CRANK_NICOLSON, "step": 0.05}
+        for case in (cls(), paper, published, *(one.model_copy(update=implicit) for one in (cls(), paper))):
             yield from case.checks(simulate(case))
         yield order_check(
             cls(), simulate, "", 2.0, "images continue a linear profile exactly, a bent one to second order"

@@ -20,7 +20,14 @@ from warpsph.scenarios.conduction.plate_checks import (
     order_check,
 )
 from warpsph.scenarios.conduction.plate_series import FixedPlate
+from warpsph.scenarios.conduction.time_stepping import Stepping
 from warpsph.terms import HeatWall, cut_cells
+
+IMPLICIT_STEPS = (  # [s]
+    (Stepping.CRANK_NICOLSON, 0.009),
+    (Stepping.CRANK_NICOLSON, 0.05),
+    (Stepping.BACKWARD_EULER, 0.05),
+)
 
 
 class PlateFixed(CoolingPlate):
@@ -29,7 +36,7 @@ class PlateFixed(CoolingPlate):
     name = "plate_fixed"
     summary = "a plate between four edges of given temperature cools"
     source = f"{SOURCE}, section 4.1, figures 4 and 5"
-    presets = ("paper",)
+    presets = ("paper", "implicit")
     fouriers = (0.0025, 0.01, 0.04, 0.08)  # 0.25, 1, 4 and 8 s
 
     edge: float = parameter(273.15, "K", "temperature of the edges", gt=0, le=5e3)
@@ -67,9 +74,15 @@ class PlateFixed(CoolingPlate):
 
     @classmethod
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
-        """The default, as published, and the order of convergence."""
-        for layers in ([], [preset_layer(cls, "paper")]):
-            case = resolve(cls, layers)
+        """The default, as published with both figures' steps, implicit steps, and the order of convergence."""
+        cases = [cls(), *(resolve(cls, [preset_layer(cls, preset)]) for preset in cls.presets)]
+        for integrator, step in (
+            (Stepping.CRANK_NICOLSON, 0.009),
+            (Stepping.CRANK_NICOLSON, 0.05),
+            (Stepping.BACKWARD_EULER, 0.05),
+        ):
+            cases.append(cls(integrator=integrator, step=step))
+        for case in cases:
             yield from case.checks(simulate(case))
         yield order_check(
             cls(), simulate, "", 2.0, "smoothing error of second order, and steps that go with its square"

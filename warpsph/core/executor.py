@@ -7,6 +7,7 @@ from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import warp as wp
 
@@ -143,7 +144,8 @@ class Executor:
         self._capture.__enter__()
 
     def _end_stage(self) -> None:
-        capture, self._capture = self._capture, None
+        capture: Any = self._capture
+        self._capture = None
         capture.__exit__(None, None, None)
         self._graphs.append(capture.graph)
 
@@ -151,16 +153,14 @@ class Executor:
         """Replay recordings in order, each the given number of times, and wait for the end."""
         waiting: list[tuple[list[wp.Graph], int]] = []
         for recording, count in schedule:
-            if len(recording.stages) == 1:
-                waiting.append((recording.stages[0], count))
-                continue
-            for stage in recording.stages * count:
-                if callable(stage):
+            alone = len(recording.stages) == 1
+            for stage in recording.stages * (1 if alone else count):
+                if isinstance(stage, list):
+                    waiting.append((stage, count if alone else 1))
+                else:
                     self._replay(waiting)
                     waiting = []
                     stage()
-                else:
-                    waiting.append((stage, 1))
         self._replay(waiting)
 
     def _replay(self, graphs: Sequence[tuple[list[wp.Graph], int]]) -> None:

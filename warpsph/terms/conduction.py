@@ -111,13 +111,12 @@ class Conduction(Term):
         def hold(name: str, array: wp.array, scratch: bool = False) -> None:
             self.arrays[name] = state.hold(f"conduction.{name}", array, scratch)
 
-        explicit = isinstance(self.integrator, Explicit)
-        if explicit and not self.walls:
+        if isinstance(self.integrator, Explicit) and not self.walls:
             return
         if "_implicit" in self.__dict__ or self.arrays:
             raise InputError("this Conduction belongs to another simulation already; make a new one")
-        if not explicit:
-            self.__dict__["_implicit"] = self._implicit_heat(model, state)
+        if isinstance(self.integrator, Implicit):
+            self.__dict__["_implicit"] = self._implicit_heat(self.integrator, model, state)
         if not self.walls:
             return
         for name in ("conductance", "outside", "flux"):
@@ -230,7 +229,7 @@ class Conduction(Term):
             raise InputError("Conduction: it belongs to no simulation yet; build one first")
         return self.arrays[name].numpy().sum(axis=1, dtype=float)
 
-    def _implicit_heat(self, model: Model, state: State) -> ImplicitHeat:
+    def _implicit_heat(self, integrator: Implicit, model: Model, state: State) -> ImplicitHeat:
         kept = any("conductivity" in term.provides for term in model.terms)
         same = all(material.conductivity_solid == material.conductivity_liquid for material in model.materials)
         straight = all(len(_heat_capacities(material)) == 1 for material in model.materials)
@@ -242,7 +241,7 @@ class Conduction(Term):
             launch(find_rows)
 
         return ImplicitHeat(
-            self.integrator,
+            integrator,
             state,
             len(self.walls),
             linear=straight and (kept or same),

@@ -15,7 +15,7 @@ from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError, require
-from warpsph.kernels.heat.gradient_walls import FIND_SURFACE, GradientPlanes, set_surface
+from warpsph.kernels.heat.gradient_walls import BIND_SURFACE, FIND_SURFACE, GradientPlanes, set_surface
 from warpsph.terms.conduction import MOST_WALLS, Conduction
 from warpsph.terms.heat_wall import SLACK, HeatWall
 
@@ -31,6 +31,8 @@ class GradientWalls(Term):
     the sum of the gradients is that of the sum of the fluxes. To the particles before them they are neighbours like
     others, with whole cells, and behind them is nothing. First order in the spacing: the walls of
     :class:`~warpsph.terms.Conduction`, with images, are second order.
+
+    An implicit integrator of the conduction has these conditions among its rows, which makes them unsymmetric.
 
     The particles on the walls are ``held``; what their neighbours give them has left the body and stands in
     ``heat_held``. One that is held already, in a corner with a given temperature, stays so.
@@ -75,14 +77,16 @@ class GradientWalls(Term):
         return {"on_gradient_walls": on, "held": (fields["held"] != 0) | (on != 0)}
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
+        conduction = model.the(Conduction)
+        table, smoothing = conduction.constants(model, state)["table"], conduction.smoothing
         planes: Any = GradientPlanes()
         planes.normal = wp.array([wall.normal for wall in self.walls], dtype=wp.vec3, device=state.device)
         for name in ("conductance", "outside", "flux"):
             given = [getattr(wall, name) for wall in self.walls]
             setattr(planes, name, wp.array(given, dtype=float, device=state.device))
-        conduction = model.the(Conduction)
-        table = conduction.constants(model, state)["table"]
-        return {"gradient_planes": planes, "table": table, "smoothing": conduction.smoothing}
+        if conduction.implicit is not None:
+            conduction.implicit.bind(lambda launch: launch(BIND_SURFACE[smoothing], gradient_planes=planes))
+        return {"gradient_planes": planes, "table": table, "smoothing": smoothing}
 
     def find_temperature(self, launch: Launch) -> None:
         for _ in range(SWEEPS):

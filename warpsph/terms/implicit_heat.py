@@ -1,7 +1,7 @@
 """An implicit step of conduction: Newton's method around the linear solvers of Warp."""
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -68,40 +68,57 @@ class ImplicitHeat:
         find_rows: Callable[[Launch], None],
     ):
         self.integrator, self.linear = integrator, linear
-        self.method = "conjugate gradients" if symmetric else "BiCGSTAB"
         self._find_iterate, self._find_rows = find_iterate, find_rows
         self._state, n = state, state.count
 
-        def doubles(*shape: int) -> wp.array:
+        def doubles(*shape: int) -> Any:
             return wp.zeros(shape, dtype=wp.float64, device=state.device)
 
         self.solution: Any = ImplicitStep()
         for name in members_of(self.solution):
-            setattr(self.solution, name, doubles(n))
+            if name != "bound":
+                setattr(self.solution, name, doubles(n))
+        self.solution.bound = wp.zeros(n, dtype=int, device=state.device)
         self.rows: Any = HeatRows()
         self.rows.beside = wp.zeros(len(state.neighbours.entry), dtype=float, device=state.device)
         self.rows.diagonal, self.rows.source = doubles(n), doubles(n)
         self.rows.to_wall, self.rows.wall_source = doubles(walls, n), doubles(walls, n)
         self._right_side = doubles(n)
         self._counters = state.hold("conduction.counters", wp.zeros(3, dtype=int, device=state.device))
+        self._symmetric = symmetric
+        self._bind: Callable[[Launch], None] = lambda launch: None
+        self._recordings: dict[tuple, Recording] = {}
+
+    def bind(self, find_rows: Callable[[Launch], None]) -> None:
+        """Let ``find_rows`` put other rows in the place of those of particles without heat, and mark them ``bound``."""
+        self._bind, self._symmetric = find_rows, False
+
+    @property
+    def method(self) -> str:
+        """Name of the linear solver."""
+        return "conjugate gradients" if self._symmetric else "BiCGSTAB"
+
+    @cached_property
+    def _solve(self) -> Any:
+        """The linear solver, with its arrays."""
+        state, n = self._state, self._state.count
         # one sum from begin to end: what Warp does for several systems at once is many times faster on a CPU
-        offsets = None if state.device.is_cuda else wp.array([0, n], dtype=int, device=state.device)
+        offsets: Any = None if state.device.is_cuda else wp.array([0, n], dtype=int, device=state.device)
         matrix, inverse = (
             LinearOperator((n, n), wp.float64, state.device, partial(self._multiply, kernel), offsets)
             for kernel in (multiply_rows, precondition)
         )
-        self._solve = (cg if symmetric else bicgstab)(
+        return (cg if self._symmetric else bicgstab)(
             matrix,
             self._right_side,
             self.solution.change,
             tol=EACH_SYSTEM,
             atol=0.0,
-            maxiter=integrator.most_iterations,
+            maxiter=self.integrator.most_iterations,
             M=inverse,
             check_every=CHECK_EVERY[state.device.is_cuda],
             run=False,
         )
-        self._recordings: dict[tuple, Recording] = {}
 
     @property
     def counters(self) -> tuple[int, int, int]:
@@ -132,10 +149,12 @@ class ImplicitHeat:
         """Go on by ``step`` [s]; return the number of iterates and of iterations."""
         launch, solution = self._launch, self.solution
         begin, self._end = (1.0 - share_of_end) * step, share_of_end * step
+        self._find_equations()
         self._find_iterate(launch)
         self._find_rows(launch)
         launch(find_known, begin=begin, step=step)
         launch(count_implicit_heat, part=begin)
+        self._bind(launch)
         launch(find_rest, end=self._end)
         norm = _norm(solution.rest)
         iterates = iterations = 0
@@ -146,8 +165,14 @@ class ImplicitHeat:
             iterations += self._change()
             norm = self._accept(norm, follow=not self.linear and iterates <= FOLLOWED)
         launch(settle_heat)
+        self._find_rows(launch)
         launch(count_implicit_heat, part=self._end)
         return iterates, iterations
+
+    def _find_equations(self) -> None:
+        """Find the rows, and those of particles without heat."""
+        self._find_rows(self._launch)
+        self._bind(self._launch)
 
     def _goal(self) -> float:
         """The largest rest [J] that is accepted."""
@@ -173,7 +198,7 @@ class ImplicitHeat:
         for halving in range(HALVINGS + 1):
             self._find_iterate(launch)
             if follow:
-                self._find_rows(launch)
+                self._find_equations()
             launch(find_rest, end=self._end)
             norm = _norm(self.solution.rest)
             if norm <= before or halving == HALVINGS:
@@ -182,7 +207,7 @@ class ImplicitHeat:
         return norm
 
     def _multiply(self, kernel: wp.Kernel, x: wp.array, y: wp.array, z: wp.array, alpha: float, beta: float) -> None:
-        given = {"end": self._end, "alpha": float(alpha), "beta": float(beta), "x": x, "y": y, "z": z}
+        given: dict[str, Any] = {"end": self._end, "alpha": float(alpha), "beta": float(beta), "x": x, "y": y, "z": z}
         launch = self._launch
         executor = launch.executor
         if executor.threads == 1 or self._state.count < WORTH_THREADS:
