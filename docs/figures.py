@@ -11,6 +11,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
+from crystal_figures import draw_crystal_growth
 from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stefan
 from matplotlib.colors import LogNorm
 from plate_figures import draw_errors, draw_isotherms
@@ -275,6 +276,12 @@ def plate_errors(picture: Path) -> None:
             float(simulated(name, None, f"across={n}", *short).diagnostics["rms_error"][-1]) for n in counts
         ]
     draw_errors(runs, counts, orders, picture)
+
+
+@figure
+def crystal_growth(picture: Path) -> None:
+    """The crucible after half an hour, beside finite volumes."""
+    draw_crystal_growth(simulated("crystal_growth"), picture)
 
 
 @figure

@@ -6,6 +6,7 @@ from warpsph.scenarios.conduction.heat_gaussian import HeatGaussian
 from warpsph.scenarios.conduction.heat_slab import HeatSlab
 from warpsph.scenarios.conduction.plate_convective import PlateConvective
 from warpsph.scenarios.conduction.plate_fixed import PlateFixed
+from warpsph.scenarios.crystal.crystal_growth import CrystalGrowth
 from warpsph.scenarios.elastic.cantilever import Cantilever
 from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
 from warpsph.scenarios.elastic.rubber_rings import RubberRings
@@ -22,6 +23,7 @@ __all__ = [
     "Cantilever",
     "Casting",
     "Cavity",
+    "CrystalGrowth",
     "DamBreak",
     "Drop",
     "HeatGaussian",

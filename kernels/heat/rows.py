@@ -93,9 +93,9 @@ def _find_rows(slope: wp.Function, sharp: bool) -> Callable[..., None]:
                     k_pair = pair_conductivity(table, material[i], material[j], k_i, k_j, r_squared)
                     if k_pair > 0.0:
                         if wp.static(sharp):
-                            colder = T_i - behind_walls(walls, chain, temperature[j], d_j, k_pair)
+                            colder = T_i - behind_walls(walls, chain, j, temperature[j], d_j, k_pair)
                             k_i = towards(table, material[i], k_i, solid_fraction[i], colder)
-                            colder = temperature[j] - behind_walls(walls, chain, T_i, d_i, k_pair)
+                            colder = temperature[j] - behind_walls(walls, chain, i, T_i, d_i, k_pair)
                             k_j = towards(table, material[j], k_j, solid_fraction[j], colder)
                             k_pair = pair_conductivity(table, material[i], material[j], k_i, k_j, r_squared)
                         weight = wp.float64(factor * (k_pair * slope(r_squared, table.support)))
@@ -105,11 +105,11 @@ def _find_rows(slope: wp.Function, sharp: bool) -> Callable[..., None]:
                         for m in range(3):
                             if chain[m] >= 0:
                                 p = chain[m]
-                                there = wp.float64(passing_share(walls, p, d_j[m], k_pair))
+                                there = wp.float64(passing_share(walls, p, j, d_j[m], k_pair))
                                 passed -= there * passed
-                                rest -= there * rest - wp.float64(supply(walls, p, d_j[m], k_pair))
-                                here = wp.float64(passing_share(walls, p, d_i[m], k_pair))
-                                taken = here * mine_rest - wp.float64(supply(walls, p, d_i[m], k_pair))
+                                rest -= there * rest - wp.float64(supply(walls, p, j, d_j[m], k_pair))
+                                here = wp.float64(passing_share(walls, p, i, d_i[m], k_pair))
+                                taken = here * mine_rest - wp.float64(supply(walls, p, i, d_i[m], k_pair))
                                 rows.to_wall[p, i] += weight * here * mine
                                 rows.wall_source[p, i] += weight * taken
                                 mine -= here * mine

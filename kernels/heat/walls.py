@@ -6,6 +6,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.heat.conduction import ThermalTable, for_conducting, pair_conductivity, towards
+from warpsph.kernels.heat.profiles import Profiles, profile_at
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
@@ -17,9 +18,12 @@ class HeatWalls:
 
     ``normal``, ``offset`` (walls,); ``conductance`` [W/(m^2 K)], infinite where the temperature is given, and
     ``outside`` [K], ``flux`` [W/m^2] out of the body, (walls,); ``slack`` [m], by how much a particle may be behind a
-    plane and still be taken to stand on it. ``rate`` (walls, n) [W] and ``taken`` (walls, n) [J], by the ids of the
-    particles: what each wall takes from each of them, in unit time and so far. ``near`` and ``behind`` (n,), a bit for
-    each plane: which stand within the support of a particle, and which ones it is behind.
+    plane and still be taken to stand on it. ``conductance_at``, ``outside_at`` and ``flux_at`` (walls, n), what the
+    three are at the place of each particle; the same memory for all particles where no wall has a profile. ``profile``
+    (walls, 3), the tables of the three, -1 where there is none; of no length where no wall has any. ``rate`` (walls, n)
+    [W] and ``taken`` (walls, n) [J], by the ids of the particles: what each wall takes from each of them, in unit time
+    and so far. ``near`` and ``behind`` (n,), a bit for each plane: which stand within the support of a particle, and
+    which ones it is behind.
     """
 
     normal: wp.array[wp.vec3d]
@@ -28,6 +32,10 @@ class HeatWalls:
     outside: wp.array[float]
     flux: wp.array[float]
     slack: float
+    conductance_at: wp.array2d[float]
+    outside_at: wp.array2d[float]
+    flux_at: wp.array2d[float]
+    profile: wp.array2d[int]
     rate: wp.array2d[float]
     taken: wp.array2d[wp.float64]
     near: wp.array[int]
@@ -66,6 +74,7 @@ def plane_of(planes: int, rank: int) -> int:
 def chain_of(walls: HeatWalls, number: int, mirrors: int) -> wp.vec3i:
     """One, two or three of the planes ``mirrors`` (bits), in rising order of their conductance; -1 stands for none.
 
+    The order is one for all particles, so it goes by the one conductance of each plane, not by that at their places.
     Every set of planes has one ``number`` below the cube of their count; other numbers give no plane at all.
     """
     count = how_many(mirrors)
@@ -91,48 +100,70 @@ def chain_of(walls: HeatWalls, number: int, mirrors: int) -> wp.vec3i:
 
 
 @wp.func
-def passing_share(walls: HeatWalls, p: int, d: float, k: float) -> float:
-    """By which share of what it is warmer than the outside of plane p a body gives an image that is colder than it.
+def passing_share(walls: HeatWalls, p: int, j: int, d: float, k: float) -> float:
+    """By which share of what it is warmer than the outside of plane p particle j has an image that is colder than it.
 
     It has the conductivity ``k`` and stands at the distance ``d`` [m]: 2 where the temperature of the plane is given,
     none where it is insulated.
     """
-    h = walls.conductance[p]
+    h = walls.conductance_at[p, j]
     if h < wp.inf:
         return 2.0 * d * h / (d * h + k)
     return 2.0
 
 
 @wp.func
-def supply(walls: HeatWalls, p: int, d: float, k: float) -> float:
-    """How much warmer [K] the image behind plane p is for what is given there: an outside, and a flux into the body."""
-    return passing_share(walls, p, d, k) * walls.outside[p] - 2.0 * d * walls.flux[p] / k
+def supply(walls: HeatWalls, p: int, j: int, d: float, k: float) -> float:
+    """How much warmer [K] the image of particle j behind plane p is for the outside and the flux that are given."""
+    return passing_share(walls, p, j, d, k) * walls.outside_at[p, j] - 2.0 * d * walls.flux_at[p, j] / k
 
 
 @wp.func
-def drop_across(walls: HeatWalls, p: int, T: float, d: float, k: float) -> float:
-    """How much colder [K] the image behind plane p is than what it is an image of: 2 d q / k.
+def drop_across(walls: HeatWalls, p: int, j: int, T: float, d: float, k: float) -> float:
+    """How much colder [K] the image of particle j behind plane p is than what it is an image of: 2 d q / k.
 
     q is the flux that leaves a body of the temperature ``T`` at the distance ``d`` [m] and of the conductivity ``k``.
     """
-    return passing_share(walls, p, d, k) * (T - walls.outside[p]) + 2.0 * d * walls.flux[p] / k
+    return passing_share(walls, p, j, d, k) * (T - walls.outside_at[p, j]) + 2.0 * d * walls.flux_at[p, j] / k
 
 
 @wp.func
-def behind_walls(walls: HeatWalls, chain: wp.vec3i, T: float, d: wp.vec3, k: float) -> float:
-    """Temperature [K] of the image in all planes of the ``chain`` of what is at the distances ``d`` [m] from them."""
+def behind_walls(walls: HeatWalls, chain: wp.vec3i, j: int, T: float, d: wp.vec3, k: float) -> float:
+    """Temperature [K] of the image of particle j in all planes of the ``chain``, at the distances ``d`` [m] from it."""
     image = float(T)
     for m in range(3):
         if chain[m] >= 0:
-            image -= drop_across(walls, chain[m], image, wp.max(d[m], 0.0), k)
+            image -= drop_across(walls, chain[m], j, image, wp.max(d[m], 0.0), k)
     return image
 
 
+@wp.func
+def number_at(profiles: Profiles, table: int, x: wp.vec3, time: wp.float64, number: float) -> float:
+    """The number of a ``table`` at the place ``x`` and the ``time``; the ``number`` itself where there is no table."""
+    if table < 0:
+        return number
+    return profile_at(profiles, table, x, time)
+
+
 @wp.kernel
-def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position: wp.array[wp.vec3], id: wp.array[int]):
-    """Write ``walls.near`` and ``walls.behind`` (n,), and set ``walls.rate`` (walls, n) to zero."""
+def find_walls_near(
+    first: int,
+    walls: HeatWalls,
+    profiles: Profiles,
+    table: ThermalTable,
+    ago: float,
+    time: wp.array[wp.float64],
+    position: wp.array[wp.vec3],
+    id: wp.array[int],
+):
+    """Write ``walls.near`` and ``walls.behind`` (n,), and set ``walls.rate`` (walls, n) to zero.
+
+    Where walls have profiles, write the numbers at the place of each particle, too: those of ``ago`` [s] before the
+    present ``time`` (1,) [s].
+    """
     i = wp.tid() + first
     near, behind = int(0), int(0)
+    then = time[0] - wp.float64(ago)
     for p in range(walls.offset.shape[0]):
         h = height(walls, p, position[i])
         if wp.abs(h) < table.support:
@@ -140,6 +171,11 @@ def find_walls_near(first: int, walls: HeatWalls, table: ThermalTable, position:
         if h < -walls.slack:
             behind |= 1 << p
         walls.rate[p, id[i]] = 0.0
+    for p in range(walls.profile.shape[0]):
+        x = position[i]
+        walls.conductance_at[p, i] = number_at(profiles, walls.profile[p, 0], x, then, walls.conductance[p])
+        walls.outside_at[p, i] = number_at(profiles, walls.profile[p, 1], x, then, walls.outside[p])
+        walls.flux_at[p, i] = number_at(profiles, walls.profile[p, 2], x, then, walls.flux[p])
     walls.near[i] = near
     walls.behind[i] = behind
 
@@ -215,16 +251,16 @@ def _add_heat_of_images(slope: wp.Function, sharp: bool) -> Callable[..., None]:
                     )
                     if k_pair > 0.0 and role[j] != Role.RESERVOIR:
                         if wp.static(sharp):  # each of the two sees the image of the other
-                            colder = T_i - behind_walls(walls, chain, temperature[j], d_j, k_pair)
+                            colder = T_i - behind_walls(walls, chain, j, temperature[j], d_j, k_pair)
                             k_i = towards(table, material[i], conductivity[i], solid_fraction[i], colder)
-                            colder = temperature[j] - behind_walls(walls, chain, T_i, d_i, k_pair)
+                            colder = temperature[j] - behind_walls(walls, chain, i, T_i, d_i, k_pair)
                             k_j = towards(table, material[j], conductivity[j], solid_fraction[j], colder)
                             k_pair = pair_conductivity(table, material[i], material[j], k_i, k_j, r_squared)
                         weight = k_pair * thermal_volume[j] * slope(r_squared, table.support)
                         T = float(temperature[j])
                         for m in range(3):
                             if chain[m] >= 0:
-                                drop = drop_across(walls, chain[m], T, d_j[m], k_pair)
+                                drop = drop_across(walls, chain[m], j, T, d_j[m], k_pair)
                                 taken[m] = taken[m] - weight * drop
                                 T -= drop
                         total += weight * (T_i - T)  # Vijaykumar (3.2)

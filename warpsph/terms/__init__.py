@@ -13,6 +13,7 @@ from warpsph.terms.heat_wall import HeatWall, cut_cells
 from warpsph.terms.integrators import BackwardEuler, CrankNicolson, Explicit
 from warpsph.terms.liquidus import Liquidus
 from warpsph.terms.phase_change import PhaseChange
+from warpsph.terms.profile import Profile
 from warpsph.terms.solute import Solute
 from warpsph.terms.summed_density import SummedDensity
 from warpsph.terms.surface_tension import SurfaceTension
@@ -35,6 +36,7 @@ __all__ = [
     "Liquidus",
     "PhaseChange",
     "PointSource",
+    "Profile",
     "Solute",
     "SummedDensity",
     "SurfaceTension",

@@ -63,8 +63,8 @@ class Alloy(Term):
         require(self, "longest_interval", number(self.longest_interval) > 0.0, "positive [s]")
         several = isinstance(self.walls, Sequence) and all(isinstance(wall, HeatWall) for wall in self.walls)
         require(self, "walls", several, "a tuple of HeatWall")
-        plain = all(wall.conductance in (0.0, np.inf) and wall.flux == 0.0 for wall in self.walls)
-        require(self, "walls", plain, "of given temperature or insulated; films and fluxes are left out here")
+        plain = all(wall.conductance in (0.0, np.inf) and wall.flux == 0.0 and not wall.profiles for wall in self.walls)
+        require(self, "walls", plain, "of one temperature or insulated; films, fluxes and profiles are left out here")
         for wall in self.walls:
             if wall.conductance == np.inf and wall.outside < self.liquidus.lowest:
                 raise InputError(

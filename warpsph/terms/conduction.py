@@ -22,9 +22,10 @@ from warpsph.kernels.heat.conduction import CONDUCTING, SUM_HEAT, ThermalTable, 
 from warpsph.kernels.heat.implicit import FIND_ITERATE, supply_no_heat
 from warpsph.kernels.heat.rows import FIND_ROWS
 from warpsph.kernels.heat.walls import ADD_HEAT_OF_IMAGES, HeatWalls, count_heat, find_walls_near
-from warpsph.terms.heat_wall import LARGEST, SLACK, HeatWall, refuse_misfits
+from warpsph.terms.heat_wall import LARGEST, NUMBERS, SLACK, HeatWall, refuse_misfits
 from warpsph.terms.implicit_heat import ImplicitHeat
 from warpsph.terms.integrators import Explicit, Implicit, Integrator
+from warpsph.terms.profile import Profile, on_device
 
 MOST_WALLS = 30  # a bit each
 EXPLICIT = Explicit()
@@ -55,7 +56,8 @@ class Conduction(Term):
         integrator: ``Explicit()``, ``BackwardEuler()`` or ``CrankNicolson()``.
 
     One with walls belongs to one simulation; ``wall_conductance``, ``wall_outside`` and ``wall_flux`` (walls,) are then
-    device arrays that may be changed during a run.
+    device arrays that may be changed during a run. What a wall has a profile of follows the profile; its entry there is
+    the mean and to be left alone.
     """
 
     films: dict[tuple[str, str], float] = field(default_factory=dict)
@@ -119,17 +121,23 @@ class Conduction(Term):
             self.__dict__["_implicit"] = self._implicit_heat(self.integrator, model, state)
         if not self.walls:
             return
-        for name in ("conductance", "outside", "flux"):
+        each = (len(self.walls), state.count)
+        for name in NUMBERS:
             given = [getattr(wall, name) for wall in self.walls]
             hold(f"wall_{name}", wp.array(given, dtype=float, device=state.device))
-        each = (len(self.walls), state.count)
+            if self._profiles:
+                hold(f"wall_{name}_at", wp.zeros(each, dtype=float, device=state.device), scratch=True)
         hold("wall_heat", wp.zeros(each, dtype=wp.float64, device=state.device))
         hold("wall_rate", wp.zeros(each, dtype=float, device=state.device), scratch=True)
         for name in ("near_walls", "behind_walls"):
             hold(name, wp.zeros(state.count, dtype=int, device=state.device), scratch=True)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        constants = {"table": self._table(model, state.device), "walls": self._planes(model, state.device)}
+        constants = {
+            "table": self._table(model, state.device),
+            "walls": self._planes(model, state),
+            "profiles": on_device(self._profiles, state.device),
+        }
         if (implicit := self.implicit) is not None:
             constants |= {"solution": implicit.solution, "rows": implicit.rows}
         return constants
@@ -168,7 +176,7 @@ class Conduction(Term):
             return
         launch(SUM_HEAT[self.sharp_fronts][self.smoothing])
         if self.walls:
-            launch(find_walls_near)
+            launch(find_walls_near, ago=launch.find("interval"))
             launch(ADD_HEAT_OF_IMAGES[self.sharp_fronts][self.smoothing])
 
     def add_heat(self, launch: Launch) -> None:
@@ -235,9 +243,9 @@ class Conduction(Term):
         straight = all(len(_heat_capacities(material)) == 1 for material in model.materials)
         find_rows = FIND_ROWS[self.sharp_fronts][self.smoothing]
 
-        def rows(launch: Launch) -> None:
+        def rows(launch: Launch, ago: float) -> None:
             if self.walls:
-                launch(find_walls_near)
+                launch(find_walls_near, ago=ago)
             launch(find_rows)
 
         return ImplicitHeat(
@@ -248,6 +256,7 @@ class Conduction(Term):
             symmetric=all(wall.conductance in (0.0, np.inf) for wall in self.walls),
             find_iterate=lambda launch: launch(FIND_ITERATE[not kept]),
             find_rows=rows,
+            timed=any(len(profile.times) > 1 for profile in self._profiles),
         )
 
     def _films(self, model: Model) -> np.ndarray:
@@ -265,17 +274,33 @@ class Conduction(Term):
             films[a, b] = films[b, a] = conductance * straight
         return films
 
-    def _planes(self, model: Model, device: wp.Device) -> HeatWalls:
+    @property
+    def _profiles(self) -> list[Profile]:
+        """The profiles of all walls, one after the other."""
+        return [wall.profiles[name] for wall in self.walls for name in NUMBERS if name in wall.profiles]
+
+    def _planes(self, model: Model, state: State) -> HeatWalls:
         """The walls on the device."""
         planes: Any = HeatWalls()
         if self.walls:
-            planes.normal = wp.array([wall.normal for wall in self.walls], dtype=wp.vec3d, device=device)
-            planes.offset = wp.array([wall.offset for wall in self.walls], dtype=wp.float64, device=device)
-            planes.conductance, planes.outside, planes.flux = self.wall_conductance, self.wall_outside, self.wall_flux
+            planes.normal = wp.array([wall.normal for wall in self.walls], dtype=wp.vec3d, device=state.device)
+            planes.offset = wp.array([wall.offset for wall in self.walls], dtype=wp.float64, device=state.device)
             planes.slack = SLACK * model.spacing
             planes.rate, planes.taken = self.arrays["wall_rate"], self.arrays["wall_heat"]
             planes.near, planes.behind = self.arrays["near_walls"], self.arrays["behind_walls"]
+            for name in NUMBERS:
+                one_each = self.arrays[f"wall_{name}"]
+                setattr(planes, name, one_each)
+                own = self.arrays[f"wall_{name}_at"] if self._profiles else _repeated(one_each, state.count)
+                setattr(planes, f"{name}_at", own)
+            planes.profile = self._tables(state.device)
         return planes
+
+    def _tables(self, device: wp.Device) -> wp.array:
+        """Which profile each number of each wall has, (walls, 3), -1 where it has none; of no length without any."""
+        has = np.array([[name in wall.profiles for name in NUMBERS] for wall in self.walls])
+        tables = np.where(has, np.cumsum(has).reshape(has.shape) - 1, -1)
+        return wp.array(tables if has.any() else np.zeros((0, 3)), dtype=int, device=device)
 
     def _table(self, model: Model, device: wp.Device) -> ThermalTable:
         """Enthalpy curves, melting ranges, conductivities and films of all materials, on the device."""
@@ -299,6 +324,17 @@ class Conduction(Term):
         for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
             setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
         return table
+
+
+def _repeated(numbers: wp.array, count: int) -> wp.array:
+    """The same memory as a row (numbers, count), each number ``count`` times."""
+    return wp.array(
+        ptr=numbers.ptr,
+        shape=(len(numbers), count),
+        strides=(numbers.strides[0], 0),
+        dtype=numbers.dtype,
+        device=numbers.device,
+    )
 
 
 def _heat_capacities(material: Material) -> np.ndarray:

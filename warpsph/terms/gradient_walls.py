@@ -50,6 +50,8 @@ class GradientWalls(Term):
         require(self, "walls", whole, f"a tuple of one HeatWall or more, up to {MOST_WALLS}")
         if any(np.isinf(wall.conductance) for wall in self.walls):
             raise InputError("GradientWalls: walls: one gives the temperature; hold the particles on it instead")
+        if any(wall.profiles for wall in self.walls):
+            raise InputError("GradientWalls: walls: one has a profile, which only the walls of Conduction follow")
 
     needs = ("conduction",)
 

@@ -1,16 +1,18 @@
 """Plane walls of heat: what is given on a face of a body that conducts."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from warpsph.core.lattice import Lattice
-from warpsph.errors import InputError, number, require
+from warpsph.errors import InputError, number, require, shown
+from warpsph.terms.profile import Profile
 
 PERPENDICULAR = 1.0e-3  # largest cosine between planes whose images are those of a corner
 LARGEST = 1.0e30  # of numbers that single precision has to hold
 SLACK = 0.25  # spacings by which a particle may be behind a wall and count as on it
+NUMBERS = ("conductance", "outside", "flux")  # of a wall, that may be profiles
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,12 +24,19 @@ class HeatWall:
     up to a quarter of a spacing behind it counts as on it; one further behind exchanges no heat across it and does not
     see the wall.
 
+    What is given may change along the wall and with time: a :class:`warpsph.terms.profile.Profile` in the place of a
+    number. A particle then sees the number at its own place, at the time of the integrator: the begin of an explicit
+    step, the end of one of :class:`BackwardEuler`. A row on a wall whose temperature changes with time is not to be
+    ``held``; it takes that temperature by itself. In a corner of two walls the profile of one is continued behind the
+    other as by a mirror.
+
     Args:
         normal: unit vector (3,) that points into the body.
         offset: ``x . normal`` on the plane [m].
         conductance: [W/(m^2 K)]; infinite where the temperature of the surface is given, 0 where it does not matter.
         outside: temperature [K] behind the film, or of the surface where it is given.
         flux: heat that leaves the body [W/m^2], beside what passes the film.
+        profiles: those of the three numbers that change, by their names; the numbers themselves are then means.
     """
 
     normal: Sequence[float]
@@ -35,12 +44,25 @@ class HeatWall:
     conductance: float
     outside: float
     flux: float
+    profiles: Mapping[str, Profile] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         three = np.shape(self.normal) == (3,) and all(np.isfinite(number(n)) for n in self.normal)
         unit = three and abs(float(np.linalg.norm(self.normal)) - 1.0) < 1e-6
         require(self, "normal", unit, "a unit vector of three numbers")
         require(self, "offset", bool(np.isfinite(number(self.offset))), "a number [m]")
+        for name, profile in self.profiles.items():
+            known = name in NUMBERS and isinstance(profile, Profile)
+            require(self, "profiles", known, f"Profile by name, one of {', '.join(NUMBERS)}")
+            if self.conductance == np.inf and name != "outside":
+                raise InputError(
+                    f"HeatWall: {name} = {shown(profile)}: none where the temperature of the surface is given"
+                )
+            lowest = 0.0 if name == "conductance" else -LARGEST
+            if profile.table.min() < lowest or profile.table.max() > LARGEST:
+                raise InputError(
+                    f"HeatWall: {name} = {shown(profile)}: its values must be from {lowest:g} to {LARGEST:g}"
+                )
         conductance = number(self.conductance)
         allowed = f"zero, positive up to {LARGEST:g}, or infinite [W/(m^2 K)]"
         require(self, "conductance", 0.0 <= conductance <= LARGEST or conductance == np.inf, allowed)
@@ -50,24 +72,32 @@ class HeatWall:
         require(self, "flux", not given_twice, "zero where the temperature of the surface is given")
 
     @classmethod
-    def at_temperature(cls, normal: Sequence[float], offset: float, temperature: float) -> "HeatWall":
+    def at_temperature(cls, normal: Sequence[float], offset: float, temperature: float | Profile) -> "HeatWall":
         """A surface of given temperature [K]; a row that stands on it is to be ``held`` at that temperature."""
-        return cls(normal, offset, np.inf, temperature, 0.0)
+        return cls._given(normal, offset, np.inf, temperature, 0.0)
 
     @classmethod
-    def film(cls, normal: Sequence[float], offset: float, conductance: float, outside: float) -> "HeatWall":
+    def film(
+        cls, normal: Sequence[float], offset: float, conductance: float | Profile, outside: float | Profile
+    ) -> "HeatWall":
         """A film of a conductance [W/(m^2 K)] before an outside of given temperature [K]."""
-        return cls(normal, offset, conductance, outside, 0.0)
+        return cls._given(normal, offset, conductance, outside, 0.0)
 
     @classmethod
-    def given_flux(cls, normal: Sequence[float], offset: float, flux: float) -> "HeatWall":
+    def given_flux(cls, normal: Sequence[float], offset: float, flux: float | Profile) -> "HeatWall":
         """A flux [W/m^2] that leaves the body, whatever its temperature."""
-        return cls(normal, offset, 0.0, 0.0, flux)
+        return cls._given(normal, offset, 0.0, 0.0, flux)
 
     @classmethod
     def insulated(cls, normal: Sequence[float], offset: float) -> "HeatWall":
         """A surface through which no heat passes: a plane of symmetry, too."""
         return cls(normal, offset, 0.0, 0.0, 0.0)
+
+    @classmethod
+    def _given(cls, normal: Sequence[float], offset: float, *given: float | Profile) -> "HeatWall":
+        profiles = {name: value for name, value in zip(NUMBERS, given, strict=True) if isinstance(value, Profile)}
+        conductance, outside, flux = (float(v.table.mean()) if isinstance(v, Profile) else v for v in given)
+        return cls(normal, offset, conductance, outside, flux, profiles)
 
     def height(self, points: np.ndarray) -> np.ndarray:
         """Distance (n,) [m] of ``points`` (n, 3) before the plane."""
@@ -95,11 +125,14 @@ def refuse_misfits(walls: Sequence[HeatWall], lattice: Lattice, points: np.ndarr
 
     Raises:
         InputError: two walls are parallel and nearer to each other than the support, or neither parallel nor
-            perpendicular and near the same particle; or one leans out of the plane.
+            perpendicular and near the same particle; or one, or the direction of its profile, leans out of the plane.
     """
     for b, wall in enumerate(walls):
         if lattice.dimension == 2 and wall.normal[2] != 0.0:
             raise InputError(f"heat walls: the normal {tuple(wall.normal)} leans out of the plane, in two dimensions")
+        for name, profile in wall.profiles.items():
+            if lattice.dimension == 2 and profile.direction[2] != 0.0:
+                raise InputError(f"heat wall {b}: the profile of {name} is along z, but there are two dimensions")
         for a, other in enumerate(walls[:b]):
             cosine = float(np.dot(wall.normal, other.normal))
             if abs(cosine) > 1.0 - PERPENDICULAR:

@@ -51,7 +51,8 @@ class ImplicitHeat:
         linear: whether rows and heat capacities are the same at all temperatures.
         symmetric: whether the rows are symmetric: then conjugate gradients serve, else BiCGSTAB.
         find_iterate: writes what follows from the enthalpies of the solution.
-        find_rows: writes the rows.
+        find_rows: writes the rows, as they were so many seconds ago.
+        timed: whether they change with time.
 
     Attributes:
         solution, rows: what the kernels work on, under these names.
@@ -65,10 +66,11 @@ class ImplicitHeat:
         linear: bool,
         symmetric: bool,
         find_iterate: Callable[[Launch], None],
-        find_rows: Callable[[Launch], None],
+        find_rows: Callable[[Launch, float], None],
+        timed: bool,
     ):
         self.integrator, self.linear = integrator, linear
-        self._find_iterate, self._find_rows = find_iterate, find_rows
+        self._find_iterate, self._find_rows, self._timed = find_iterate, find_rows, timed
         self._state, n = state, state.count
 
         def doubles(*shape: int) -> Any:
@@ -131,8 +133,10 @@ class ImplicitHeat:
         self._launch = launch
         counters = self._counters.numpy().copy()
         launch(begin_implicit)
+        left = interval
         for share_of_end, step in self._parts(int(counters[0]), interval):
-            counters[1:] += self._go(share_of_end, step)
+            left -= step
+            counters[1:] += self._go(share_of_end, step, left)
         launch(end_implicit)
         counters[0] += 1
         self._counters.assign(counters)
@@ -145,15 +149,17 @@ class ImplicitHeat:
             return [(1.0, 0.5 * interval)] * 2
         return [(0.5, interval)]
 
-    def _go(self, share_of_end: float, step: float) -> tuple[int, int]:
-        """Go on by ``step`` [s]; return the number of iterates and of iterations."""
+    def _go(self, share_of_end: float, step: float, left: float) -> tuple[int, int]:
+        """Go on by ``step`` [s], with ``left`` [s] after it; return the number of iterates and of iterations."""
         launch, solution = self._launch, self.solution
-        begin, self._end = (1.0 - share_of_end) * step, share_of_end * step
+        begin, self._end, self._left = (1.0 - share_of_end) * step, share_of_end * step, left
         self._find_equations()
         self._find_iterate(launch)
-        self._find_rows(launch)
+        self._find_rows(launch, left + step if begin > 0.0 else left)
         launch(find_known, begin=begin, step=step)
         launch(count_implicit_heat, part=begin)
+        if self._timed and begin > 0.0:
+            self._find_rows(launch, left)
         self._bind(launch)
         launch(find_rest, end=self._end)
         norm = _norm(solution.rest)
@@ -165,13 +171,13 @@ class ImplicitHeat:
             iterations += self._change()
             norm = self._accept(norm, follow=not self.linear and iterates <= FOLLOWED)
         launch(settle_heat)
-        self._find_rows(launch)
+        self._find_rows(launch, left)
         launch(count_implicit_heat, part=self._end)
         return iterates, iterations
 
     def _find_equations(self) -> None:
         """Find the rows, and those of particles without heat."""
-        self._find_rows(self._launch)
+        self._find_rows(self._launch, self._left)
         self._bind(self._launch)
 
     def _goal(self) -> float:

@@ -203,7 +203,7 @@ def test_equal_phases_freeze_as_one_substance(device):
         ({"latent_heat": 0.0}, "latent_heat = 0.0: must be positive"),
         ({"ice": "ice"}, "ice = 'ice': must be a Material"),
         ({"liquidus": None}, "liquidus = None: must be a Liquidus"),
-        ({"walls": (HeatWall.film((1.0, 0.0, 0.0), 0.0, 10.0, 260.0),)}, "films and fluxes are left out"),
+        ({"walls": (HeatWall.film((1.0, 0.0, 0.0), 0.0, 10.0, 260.0),)}, "films, fluxes and profiles are left out"),
         ({"walls": (HeatWall.at_temperature((1.0, 0.0, 0.0), 0.0, 250.0),)}, "solid that forms at the eutectic"),
     ],
 )
