@@ -14,18 +14,42 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 @wp.struct
 class HeatRows:
-    """Rows: particle i gains ``sum_k beside[i, k] T_j - diagonal[i] T_i + source[i]`` [W] (per metre of depth in 2D).
+    """Rows of the heat [W] that unknown temperatures gain (per metre of depth in 2D).
 
-    ``beside`` [W/K], one for each entry of the neighbour list and addressed like it; ``diagonal`` [W/K] and ``source``
-    [W] (n,), float64. Of what particle i loses, wall p takes ``to_wall[p, i] T_i + wall_source[p, i]`` [W], (walls, n),
-    float64. Between walls that do not mirror what is before them to a colder image the rows are symmetric.
+    There are ``families`` times n unknowns, that of particle i in family f at f n + i: one family in a body that
+    conducts; two where liquid and ice at the same place have temperatures of their own. Row u says
+    ``sum_k beside[k] T_j + here[u] T_other - diagonal[u] T_u + source[u]``: ``beside`` [W/K], one block for each pair
+    of families, addressed like the neighbour list; ``here`` [W/K] (2 n,), of the other family at the same place;
+    ``diagonal`` [W/K] and ``source`` [W]. Of what particle i loses, wall p takes ``to_wall[p, i] T_i +
+    wall_source[p, i]`` [W], (walls, n). All but ``beside`` in float64. Between walls that do not mirror what is before
+    them to a colder image the rows are symmetric.
     """
 
+    families: int
     beside: wp.array[float]
+    here: wp.array[wp.float64]
     diagonal: wp.array[wp.float64]
     source: wp.array[wp.float64]
     to_wall: wp.array2d[wp.float64]
     wall_source: wp.array2d[wp.float64]
+
+
+@wp.func
+def heat_gained(rows: HeatRows, neighbours: NeighbourList, T: wp.array[wp.float64], u: int) -> wp.float64:
+    """What unknown u gains without the source, for temperatures ``T`` [K] or changes of them."""
+    n = neighbours.count.shape[0]
+    family = u // n
+    i = u - family * n
+    total = -rows.diagonal[u] * T[u]
+    if rows.families == 2:
+        total += rows.here[u] * T[(1 - family) * n + i]
+    block = family * rows.families * neighbours.entry.shape[0]
+    for k in range(neighbours.count[i]):
+        at = i * neighbours.row_stride + k * neighbours.entry_stride
+        j = index_of(neighbours.entry[at])
+        for other in range(rows.families):
+            total += wp.float64(rows.beside[block + other * neighbours.entry.shape[0] + at]) * T[other * n + j]
+    return total
 
 
 def _find_rows(slope: wp.Function, sharp: bool) -> Callable[..., None]:
@@ -130,13 +154,3 @@ def _find_rows(slope: wp.Function, sharp: bool) -> Callable[..., None]:
 
 
 FIND_ROWS = {sharp: for_conducting(_find_rows, "slope", __name__, sharp) for sharp in (False, True)}
-
-
-@wp.func
-def heat_gained(rows: HeatRows, neighbours: NeighbourList, T: wp.array[wp.float64], i: int) -> wp.float64:
-    """What particle i gains without the source, for temperatures ``T`` (n,) [K] or changes of them."""
-    total = -rows.diagonal[i] * T[i]
-    for k in range(neighbours.count[i]):
-        at = i * neighbours.row_stride + k * neighbours.entry_stride
-        total += wp.float64(rows.beside[at]) * T[index_of(neighbours.entry[at])]
-    return total

@@ -19,9 +19,9 @@ from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import CONDUCTING, SUM_HEAT, ThermalTable, add_heat, update_temperature
-from warpsph.kernels.heat.implicit import FIND_ITERATE, supply_no_heat
-from warpsph.kernels.heat.rows import FIND_ROWS
+from warpsph.kernels.heat.implicit_conduction import supply_no_heat
 from warpsph.kernels.heat.walls import ADD_HEAT_OF_IMAGES, HeatWalls, count_heat, find_walls_near
+from warpsph.terms.conduction_equations import ConductionEquations
 from warpsph.terms.heat_wall import LARGEST, NUMBERS, SLACK, HeatWall, refuse_misfits
 from warpsph.terms.implicit_heat import ImplicitHeat
 from warpsph.terms.integrators import Explicit, Implicit, Integrator
@@ -118,7 +118,7 @@ class Conduction(Term):
         if "_implicit" in self.__dict__ or self.arrays:
             raise InputError("this Conduction belongs to another simulation already; make a new one")
         if isinstance(self.integrator, Implicit):
-            self.__dict__["_implicit"] = self._implicit_heat(self.integrator, model, state)
+            self.__dict__["_implicit"] = ImplicitHeat(self.integrator, self._equations(model), state)
         if not self.walls:
             return
         each = (len(self.walls), state.count)
@@ -237,26 +237,17 @@ class Conduction(Term):
             raise InputError("Conduction: it belongs to no simulation yet; build one first")
         return self.arrays[name].numpy().sum(axis=1, dtype=float)
 
-    def _implicit_heat(self, integrator: Implicit, model: Model, state: State) -> ImplicitHeat:
+    def _equations(self, model: Model) -> ConductionEquations:
         kept = any("conductivity" in term.provides for term in model.terms)
         same = all(material.conductivity_solid == material.conductivity_liquid for material in model.materials)
-        straight = all(len(_heat_capacities(material)) == 1 for material in model.materials)
-        find_rows = FIND_ROWS[self.sharp_fronts][self.smoothing]
-
-        def rows(launch: Launch, ago: float) -> None:
-            if self.walls:
-                launch(find_walls_near, ago=ago)
-            launch(find_rows)
-
-        return ImplicitHeat(
-            integrator,
-            state,
-            len(self.walls),
-            linear=straight and (kept or same),
+        return ConductionEquations(
+            self.smoothing,
+            self.sharp_fronts,
+            mixing=not kept,
+            bend=not (kept or same),
+            change=any(len(profile.times) > 1 for profile in self._profiles),
             symmetric=all(wall.conductance in (0.0, np.inf) for wall in self.walls),
-            find_iterate=lambda launch: launch(FIND_ITERATE[not kept]),
-            find_rows=rows,
-            timed=any(len(profile.times) > 1 for profile in self._profiles),
+            walls=len(self.walls),
         )
 
     def _films(self, model: Model) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from functools import cached_property, partial
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import warp as wp
@@ -15,13 +15,9 @@ from warpsph.core.state import State, members_of
 from warpsph.errors import DivergenceError
 from warpsph.kernels.heat.implicit import (
     ImplicitStep,
-    begin_implicit,
     change_heat,
-    count_implicit_heat,
-    end_implicit,
     find_known,
     find_rest,
-    find_right_side,
     multiply_rows,
     precondition,
     retreat,
@@ -32,46 +28,66 @@ from warpsph.terms.integrators import CrankNicolson, Implicit
 
 MOST_ITERATES = 60  # of Newton's method: within a step a front may pass from particle to particle
 FOLLOWED = (
-    12  # iterates that conductivities follow; where they jump, as when a front enters a particle, none fulfils all
+    12  # iterates that rows follow; where conductivities jump, as when a front enters a particle, none fulfils all
 )
 EACH_SYSTEM = 1.0e-3  # to which share of its right hand side a system is solved before the next iterate
 ROUNDING = 1.0e-15  # of what the equations are made of, in double precision
 HALVINGS = 6  # of a change that has made the rest larger
-WORTH_THREADS = 20_000  # particles, above which several threads multiply faster than one
+WORTH_THREADS = 20_000  # unknowns, above which several threads multiply faster than one
 CHECK_EVERY = {True: 10, False: 1}  # iterations of a linear solver; on a GPU each look makes it wait for the host
 
 
+class Equations(Protocol):
+    """What is solved for: how heat, temperature and rows hang together.
+
+    Attributes:
+        families: unknowns at each particle, 1 or 2.
+        bend: whether the rows change with the temperatures.
+        change: whether they change with time.
+        symmetric: whether they are symmetric.
+        walls: number of walls of heat.
+    """
+
+    families: int
+    bend: bool
+    change: bool
+    symmetric: bool
+    walls: int
+
+    def begin(self, launch: Launch) -> None:
+        """Write heat and supply of the solution."""
+
+    def find_iterate(self, launch: Launch) -> None:
+        """Write temperature and capacity of the solution from its heat, and what the rows depend on."""
+
+    def find_rows(self, launch: Launch, ago: float) -> None:
+        """Write the rows, as they were ``ago`` [s] before the end of the whole step."""
+
+    def count(self, launch: Launch, part: float) -> None:
+        """Count what leaves the body in the time ``part`` [s], by the rows and temperatures of the moment."""
+
+    def end(self, launch: Launch) -> None:
+        """Give the particles the heat of the solution."""
+
+
 class ImplicitHeat:
-    """Finds the enthalpies at the end of a step; belongs to one simulation.
+    """Finds the heats at the end of a step; belongs to one simulation.
 
     Args:
         integrator: which equations the end of a step fulfils, and how exactly.
+        equations: what they are made of.
         state: gives device, number of particles and neighbour list; holds the counters.
-        walls: number of walls of heat.
-        linear: whether rows and heat capacities are the same at all temperatures.
-        symmetric: whether the rows are symmetric: then conjugate gradients serve, else BiCGSTAB.
-        find_iterate: writes what follows from the enthalpies of the solution.
-        find_rows: writes the rows, as they were so many seconds ago.
-        timed: whether they change with time.
 
     Attributes:
         solution, rows: what the kernels work on, under these names.
     """
 
-    def __init__(
-        self,
-        integrator: Implicit,
-        state: State,
-        walls: int,
-        linear: bool,
-        symmetric: bool,
-        find_iterate: Callable[[Launch], None],
-        find_rows: Callable[[Launch, float], None],
-        timed: bool,
-    ):
-        self.integrator, self.linear = integrator, linear
-        self._find_iterate, self._find_rows, self._timed = find_iterate, find_rows, timed
-        self._state, n = state, state.count
+    def __init__(self, integrator: Implicit, equations: Equations, state: State):
+        self.integrator, self.equations, self._state = integrator, equations, state
+        self._symmetric = equations.symmetric
+        self._bind: Callable[[Launch], None] | None = None
+        self._size = size = equations.families * state.count
+        entries = equations.families**2 * len(state.neighbours.entry)
 
         def doubles(*shape: int) -> Any:
             return wp.zeros(shape, dtype=wp.float64, device=state.device)
@@ -79,16 +95,15 @@ class ImplicitHeat:
         self.solution: Any = ImplicitStep()
         for name in members_of(self.solution):
             if name != "bound":
-                setattr(self.solution, name, doubles(n))
-        self.solution.bound = wp.zeros(n, dtype=int, device=state.device)
+                setattr(self.solution, name, doubles(size))
+        self.solution.bound = wp.zeros(size, dtype=int, device=state.device)
         self.rows: Any = HeatRows()
-        self.rows.beside = wp.zeros(len(state.neighbours.entry), dtype=float, device=state.device)
-        self.rows.diagonal, self.rows.source = doubles(n), doubles(n)
-        self.rows.to_wall, self.rows.wall_source = doubles(walls, n), doubles(walls, n)
-        self._right_side = doubles(n)
-        self._counters = state.hold("conduction.counters", wp.zeros(3, dtype=int, device=state.device))
-        self._symmetric = symmetric
-        self._bind: Callable[[Launch], None] = lambda launch: None
+        self.rows.families = equations.families
+        self.rows.beside = wp.zeros(entries, dtype=float, device=state.device)
+        self.rows.here = doubles(size if equations.families > 1 else 0)
+        self.rows.diagonal, self.rows.source = doubles(size), doubles(size)
+        self.rows.to_wall, self.rows.wall_source = (doubles(equations.walls, state.count) for _ in range(2))
+        self._counters = state.hold("implicit.counters", wp.zeros(3, dtype=int, device=state.device))
         self._recordings: dict[tuple, Recording] = {}
 
     def bind(self, find_rows: Callable[[Launch], None]) -> None:
@@ -100,44 +115,44 @@ class ImplicitHeat:
         """Name of the linear solver."""
         return "conjugate gradients" if self._symmetric else "BiCGSTAB"
 
-    @cached_property
-    def _solve(self) -> Any:
-        """The linear solver, with its arrays."""
-        state, n = self._state, self._state.count
-        # one sum from begin to end: what Warp does for several systems at once is many times faster on a CPU
-        offsets: Any = None if state.device.is_cuda else wp.array([0, n], dtype=int, device=state.device)
-        matrix, inverse = (
-            LinearOperator((n, n), wp.float64, state.device, partial(self._multiply, kernel), offsets)
-            for kernel in (multiply_rows, precondition)
-        )
-        return (cg if self._symmetric else bicgstab)(
-            matrix,
-            self._right_side,
-            self.solution.change,
-            tol=EACH_SYSTEM,
-            atol=0.0,
-            maxiter=self.integrator.most_iterations,
-            M=inverse,
-            check_every=CHECK_EVERY[state.device.is_cuda],
-            run=False,
-        )
-
     @property
     def counters(self) -> tuple[int, int, int]:
         """Steps so far, iterates of Newton's method, and iterations of the linear solver."""
         steps, iterates, iterations = self._counters.numpy()
         return int(steps), int(iterates), int(iterations)
 
+    @cached_property
+    def _solve(self) -> Any:
+        """The linear solver, with its arrays."""
+        device, size = self._state.device, self._size
+        # one sum from begin to end: what Warp does for several systems at once is many times faster on a CPU
+        offsets: Any = None if device.is_cuda else wp.array([0, size], dtype=int, device=device)
+        matrix, inverse = (
+            LinearOperator((size, size), wp.float64, device, partial(self._multiply, kernel), offsets)
+            for kernel in (multiply_rows, precondition)
+        )
+        return (cg if self._symmetric else bicgstab)(
+            matrix,
+            self.solution.right_side,
+            self.solution.change,
+            tol=EACH_SYSTEM,
+            atol=0.0,
+            maxiter=self.integrator.most_iterations,
+            M=inverse,
+            check_every=CHECK_EVERY[device.is_cuda],
+            run=False,
+        )
+
     def advance(self, launch: Launch, interval: float) -> None:
-        """Conduct heat for ``interval`` [s]; what others bring in it stands in ``heat_rate``."""
+        """Conduct heat for ``interval`` [s]."""
         self._launch = launch
         counters = self._counters.numpy().copy()
-        launch(begin_implicit)
+        self.equations.begin(launch)
         left = interval
         for share_of_end, step in self._parts(int(counters[0]), interval):
             left -= step
-            counters[1:] += self._go(share_of_end, step, left)
-        launch(end_implicit)
+            counters[1:] += self._go(share_of_end, step, max(left, 0.0))
+        self.equations.end(launch)
         counters[0] += 1
         self._counters.assign(counters)
 
@@ -151,34 +166,46 @@ class ImplicitHeat:
 
     def _go(self, share_of_end: float, step: float, left: float) -> tuple[int, int]:
         """Go on by ``step`` [s], with ``left`` [s] after it; return the number of iterates and of iterations."""
-        launch, solution = self._launch, self.solution
+        launch, equations = self._launch, self.equations
         begin, self._end, self._left = (1.0 - share_of_end) * step, share_of_end * step, left
-        self._find_equations()
-        self._find_iterate(launch)
-        self._find_rows(launch, left + step if begin > 0.0 else left)
-        launch(find_known, begin=begin, step=step)
-        launch(count_implicit_heat, part=begin)
-        if self._timed and begin > 0.0:
-            self._find_rows(launch, left)
-        self._bind(launch)
-        launch(find_rest, end=self._end)
-        norm = _norm(solution.rest)
+        others = self._bind is not None or equations.change  # at the begin, or where heat is counted
+        self._find_rows()
+        equations.find_iterate(launch)
+        if others:
+            equations.find_rows(launch, left + step if begin > 0.0 else left)
+        self._each(find_known, begin=begin, step=step)
+        if begin > 0.0:
+            equations.count(launch, begin)
+        if others:
+            self._find_rows()
+        norm = self._rest()
         iterates = iterations = 0
         while not norm <= (goal := self._goal()):
             if iterates == MOST_ITERATES or not np.isfinite(norm):
                 raise self._failure("Newton's method", iterates, norm, goal)
             iterates += 1
             iterations += self._change()
-            norm = self._accept(norm, follow=not self.linear and iterates <= FOLLOWED)
-        launch(settle_heat)
-        self._find_rows(launch, left)
-        launch(count_implicit_heat, part=self._end)
+            norm = self._accept(norm, follow=equations.bend and iterates <= FOLLOWED)
+        self._each(settle_heat)
+        if self._bind is not None:
+            equations.find_rows(launch, left)
+        equations.count(launch, self._end)
         return iterates, iterations
 
-    def _find_equations(self) -> None:
-        """Find the rows, and those of particles without heat."""
-        self._find_rows(self._launch, self._left)
-        self._bind(self._launch)
+    def _each(self, kernel: wp.Kernel, **given: Any) -> None:
+        """Launch ``kernel`` over the unknowns."""
+        self._launch(kernel, self._size, **given)
+
+    def _find_rows(self) -> None:
+        """Find the rows of the end of the step, and those of particles without heat."""
+        self.equations.find_rows(self._launch, self._left)
+        if self._bind is not None:
+            self._bind(self._launch)
+
+    def _rest(self) -> float:
+        """Find the rest, and return its norm."""
+        self._each(find_rest, end=self._end)
+        return _norm(self.solution.rest)
 
     def _goal(self) -> float:
         """The largest rest [J] that is accepted."""
@@ -186,42 +213,37 @@ class ImplicitHeat:
         return max(self.integrator.tolerance * _norm(solution.moved), ROUNDING * _norm(solution.terms))
 
     def _change(self) -> int:
-        """Solve for the change of the temperatures and let enthalpies follow; return the number of iterations."""
-        launch = self._launch
-        launch(find_right_side, right_side=self._right_side)
+        """Solve for the change of the temperatures and let heats follow; return the number of iterations."""
         iterations, error, goal = self._solve()
         if not error <= goal:
             raise self._failure(self.method, iterations, error, goal)
-        launch(change_heat, end=self._end)
+        self._each(change_heat, end=self._end)
         return iterations
 
     def _accept(self, before: float, follow: bool) -> float:
         """Find the rest after a change, and take back half of it as long as the rest is larger than ``before``.
 
-        ``follow``: whether conductivities follow the change.
+        ``follow``: whether the rows follow the change.
         """
-        launch = self._launch
         for halving in range(HALVINGS + 1):
-            self._find_iterate(launch)
+            self.equations.find_iterate(self._launch)
             if follow:
-                self._find_equations()
-            launch(find_rest, end=self._end)
-            norm = _norm(self.solution.rest)
+                self._find_rows()
+            norm = self._rest()
             if norm <= before or halving == HALVINGS:
                 break
-            launch(retreat, share=0.5 ** (halving + 1))
+            self._each(retreat, share=0.5 ** (halving + 1))
         return norm
 
     def _multiply(self, kernel: wp.Kernel, x: wp.array, y: wp.array, z: wp.array, alpha: float, beta: float) -> None:
         given: dict[str, Any] = {"end": self._end, "alpha": float(alpha), "beta": float(beta), "x": x, "y": y, "z": z}
-        launch = self._launch
-        executor = launch.executor
-        if executor.threads == 1 or self._state.count < WORTH_THREADS:
-            launch(kernel, **given)
+        executor = self._launch.executor
+        if executor.threads == 1 or self._size < WORTH_THREADS:
+            self._each(kernel, **given)
             return
         key = (kernel.key, self._end, alpha, beta, x.ptr, y.ptr, z.ptr)
         if key not in self._recordings:
-            self._recordings[key] = executor.record(lambda: launch(kernel, **given))
+            self._recordings[key] = executor.record(lambda: self._each(kernel, **given))
         executor.replay([(self._recordings[key], 1)])
 
     def _failure(self, method: str, count: int, norm: float, goal: float) -> DivergenceError:
