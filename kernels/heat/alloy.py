@@ -1,5 +1,8 @@
 """Conduction in a binary alloy: liquid and ice at the same places, each with its mass and its temperature."""
 
+from collections.abc import Callable
+from typing import Any
+
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
@@ -69,82 +72,102 @@ def wall_ice(alloy: AlloyTable, p: int, bulk: float) -> float:
 
 
 @wp.func
-def pair_heat(k: wp.vec4, slope: float, T_i: wp.vec2, T_j: wp.vec2, volume_j: wp.vec2) -> wp.vec2:
-    """What liquid and ice of a particle lose to liquid and ice of another one, over twice their own volumes."""
-    liquid = k[0] * volume_j[0] * (T_i[0] - T_j[0]) + k[1] * volume_j[1] * (T_i[0] - T_j[1])
-    ice = k[2] * volume_j[0] * (T_i[1] - T_j[0]) + k[3] * volume_j[1] * (T_i[1] - T_j[1])
+def pair_heat(k: wp.vec4, slope: float, colder: wp.vec4, volume_j: wp.vec2) -> wp.vec2:
+    """What liquid and ice of a particle lose to liquid and ice of another one, over twice their own volumes.
+
+    ``colder`` [K]: by how much liquid j and ice j are colder than liquid i, then than ice i.
+    """
+    liquid = k[0] * volume_j[0] * colder[0] + k[1] * volume_j[1] * colder[1]
+    ice = k[2] * volume_j[0] * colder[2] + k[3] * volume_j[1] * colder[3]
     return wp.vec2(liquid * slope, ice * slope)
 
 
-@wp.kernel
-def sum_alloy_heat(
-    first: int,
-    alloy: AlloyTable,
-    walls: HeatWalls,
-    neighbours: NeighbourList,
-    position: wp.array[wp.vec3],
-    role: wp.array[int],
-    id: wp.array[int],
-    thermal_volume: wp.array[float],
-    bulk_solute: wp.array[float],
-    solid_fraction: wp.array[float],
-    temperature: wp.array[float],
-    ice_temperature: wp.array[float],
-    liquid_volume: wp.array[float],
-    ice_volume: wp.array[float],
-    liquid_rate: wp.array[float],
-    ice_rate: wp.array[float],
-):
-    """Write the heat that flows into the liquid and into the ice of each particle (n,) [W] (per metre of depth in 2D).
+@wp.func
+def colder_by(T_i: Any, T_j: Any) -> wp.vec4:
+    """Differences [K] of liquid and ice, whatever their precision; see :func:`pair_heat`."""
+    return wp.vec4(float(T_i[0] - T_j[0]), float(T_i[0] - T_j[1]), float(T_i[1] - T_j[0]), float(T_i[1] - T_j[1]))
 
-    Monaghan et al. (2005), equation (4.2), times the mass, over both families, those at the same place among them. Of
-    the images behind walls, those behind a wall of given temperature hold the ice of an alloy that is in equilibrium
-    there; what they exchange is what the wall takes, ``walls.rate``.
-    """
-    i = wp.tid() + first
-    for p in range(walls.offset.shape[0]):
-        walls.rate[p, id[i]] = 0.0
-    x_i = position[i]
-    T_i = wp.vec2(temperature[i], ice_temperature[i])
-    volume_i = 2.0 * alloy.slope_scale * wp.vec2(liquid_volume[i], ice_volume[i])
-    mirrors = mirrors_of(walls, alloy.support, x_i)
-    total = wp.vec2(0.0, 0.0)
-    for n in range(neighbours.count[i] + 1):
-        j = int(i)  # last of all itself: its liquid and its ice, and its own images
-        if n < neighbours.count[i]:
-            j = index_of(entry_of(neighbours, i, n))
-        if role[j] != Role.RESERVOIR:
-            d = x_i - position[j]
-            T_j = wp.vec2(temperature[j], ice_temperature[j])
-            volume_j = wp.vec2(liquid_volume[j], ice_volume[j])
-            k = conductivities(alloy, solid_fraction[i], solid_fraction[j])
-            total += pair_heat(k, cubic_spline_slope(wp.dot(d, d), alloy.support), T_i, T_j, volume_j)
-            planes = int(mirrors)
-            while planes != 0:
-                r_squared = image_distance(walls, planes, x_i, position[j])
-                if r_squared < alloy.support * alloy.support:
-                    keeper = int(-1)  # a wall of given temperature
-                    T = wp.vec2(T_j[0], T_j[1])  # copies: a plain name would change the particle's own
-                    V = wp.vec2(volume_j[0], volume_j[1])
-                    for p in range(walls.offset.shape[0]):
-                        if (planes >> p) & 1 != 0 and walls.conductance[p] == wp.inf:
-                            keeper = p
-                            T = wp.vec2(2.0 * walls.outside[p] - T[0], 2.0 * walls.outside[p] - T[1])
-                    if keeper >= 0:
-                        ice = wall_ice(alloy, keeper, bulk_solute[j])
-                        k = conductivities(alloy, solid_fraction[i], ice)
-                        V = wp.vec2(thermal_volume[j] * (1.0 - ice), thermal_volume[j] * ice)
-                        if alloy.literal != 0:
-                            V = wp.vec2(thermal_volume[j], wp.where(ice > 0.0, thermal_volume[j], 0.0))
-                    else:
-                        k = conductivities(alloy, solid_fraction[i], solid_fraction[j])
-                    part = pair_heat(k, cubic_spline_slope(r_squared, alloy.support), T_i, T, V)
-                    total += part
-                    if keeper >= 0:
-                        walls.rate[keeper, id[i]] -= wp.dot(volume_i, part)
-                planes = (planes - 1) & mirrors
-    liquid_rate[i] = volume_i[0] * total[0]  # Monaghan et al. (4.2), times the mass
-    ice_rate[i] = volume_i[1] * total[1]
+
+def _sum_alloy_heat(dtype: type) -> Callable[..., None]:
+    two = wp.vec2 if dtype is float else wp.vec2d
+
+    def sum_alloy_heat(
+        first: int,
+        alloy: AlloyTable,
+        walls: HeatWalls,
+        neighbours: NeighbourList,
+        position: wp.array[wp.vec3],
+        role: wp.array[int],
+        id: wp.array[int],
+        thermal_volume: wp.array[float],
+        bulk_solute: wp.array[float],
+        solid_fraction: wp.array[float],
+        temperature: wp.array[dtype],
+        ice_temperature: wp.array[dtype],
+        liquid_volume: wp.array[float],
+        ice_volume: wp.array[float],
+        liquid_rate: wp.array[float],
+        ice_rate: wp.array[float],
+    ):
+        """Write the heat that flows into the liquid and into the ice of each particle (n,) [W] (over depth in 2D).
+
+        Monaghan et al. (2005), equation (4.2), times the mass, over both families, those at the same place among them.
+        Of the images behind walls, those behind a wall of given temperature hold the ice of an alloy that is in
+        equilibrium there; what they exchange is what the wall takes, ``walls.rate``.
+        """
+        i = wp.tid() + first
+        for p in range(walls.offset.shape[0]):
+            walls.rate[p, id[i]] = 0.0
+        x_i = position[i]
+        T_i = two(temperature[i], ice_temperature[i])
+        volume_i = 2.0 * alloy.slope_scale * wp.vec2(liquid_volume[i], ice_volume[i])
+        mirrors = mirrors_of(walls, alloy.support, x_i)
+        total = wp.vec2(0.0, 0.0)
+        for n in range(neighbours.count[i] + 1):
+            j = int(i)  # last of all itself: its liquid and its ice, and its own images
+            if n < neighbours.count[i]:
+                j = index_of(entry_of(neighbours, i, n))
+            if role[j] != Role.RESERVOIR:
+                d = x_i - position[j]
+                T_j = two(temperature[j], ice_temperature[j])
+                volume_j = wp.vec2(liquid_volume[j], ice_volume[j])
+                k = conductivities(alloy, solid_fraction[i], solid_fraction[j])
+                total += pair_heat(k, cubic_spline_slope(wp.dot(d, d), alloy.support), colder_by(T_i, T_j), volume_j)
+                planes = int(mirrors)
+                while planes != 0:
+                    r_squared = image_distance(walls, planes, x_i, position[j])
+                    if r_squared < alloy.support * alloy.support:
+                        keeper = int(-1)  # a wall of given temperature
+                        T = two(T_j[0], T_j[1])  # copies: a plain name would change the particle's own
+                        V = wp.vec2(volume_j[0], volume_j[1])
+                        for p in range(walls.offset.shape[0]):
+                            if (planes >> p) & 1 != 0 and walls.conductance[p] == wp.inf:
+                                keeper = p
+                                mirror = dtype(2.0 * walls.outside[p])
+                                T = two(mirror - T[0], mirror - T[1])
+                        if keeper >= 0:
+                            ice = wall_ice(alloy, keeper, bulk_solute[j])
+                            k = conductivities(alloy, solid_fraction[i], ice)
+                            V = wp.vec2(thermal_volume[j] * (1.0 - ice), thermal_volume[j] * ice)
+                            if alloy.literal != 0:
+                                V = wp.vec2(thermal_volume[j], wp.where(ice > 0.0, thermal_volume[j], 0.0))
+                        else:
+                            k = conductivities(alloy, solid_fraction[i], solid_fraction[j])
+                        part = pair_heat(k, cubic_spline_slope(r_squared, alloy.support), colder_by(T_i, T), V)
+                        total += part
+                        if keeper >= 0:
+                            walls.rate[keeper, id[i]] -= wp.dot(volume_i, part)
+                    planes = (planes - 1) & mirrors
+        liquid_rate[i] = volume_i[0] * total[0]  # Monaghan et al. (4.2), times the mass
+        ice_rate[i] = volume_i[1] * total[1]
+
+    return sum_alloy_heat
+
+
+SUM_ALLOY_HEAT = {
+    dtype: wp.Kernel(_sum_alloy_heat(dtype), key=f"sum_alloy_heat_{name}", module=wp.get_module(__name__))
+    for name, dtype in (("single", float), ("double", wp.float64))
+}
 
 
 @wp.kernel

@@ -19,6 +19,7 @@ from warpsph.core.state import Snapshot
 from warpsph.run.measured import Measured, Values
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.scenarios.conduction.time_stepping import ConductingScenario
 from warpsph.scenarios.freezing.mush import Mush
 from warpsph.terms import Alloy, HeatWall, Liquidus, Solute
 
@@ -27,7 +28,7 @@ EARLY, LATE = 13200.0, 91800.0  # 3 h 40 min and 25 h 30 min: figures 12 to 14
 THICK = 0.1  # volume fraction of ice from which fractions are compared
 
 
-class SodiumNitrate(Scenario):
+class SodiumNitrate(ConductingScenario):
     """A box of solution on a wall that is colder than its liquidus; insulated at the sides and above."""
 
     name = "sodium_nitrate"
@@ -59,6 +60,9 @@ class SodiumNitrate(Scenario):
     conductivity: float = parameter(0.498, "W/(m K)", "of the liquid", gt=0, le=1e3)
     conductivity_ice: float = parameter(2.408, "W/(m K)", "of ice", gt=0, le=1e3)
     diffusivity: float = parameter(6.8e-7, "kg/(m s)", "of the salt, times the density", ge=0, le=1.0)
+    step: float = parameter(
+        1e4, "s", "longest time step; explicit steps are shorter where stability asks for it", gt=0, le=1e6
+    )
     literal: bool = parameter(False, "", "conduct as printed in (4.2), twice within the mush")
 
     @model_validator(mode="after")
@@ -124,6 +128,8 @@ class SodiumNitrate(Scenario):
             Liquidus.straight(self.melting_point, self.liquidus_slope, self.eutectic),
             walls,
             self.literal,
+            longest_interval=self.step,
+            integrator=self.stepping,
         )
         solution = fluid_material(
             "solution", self.density, conductivity=self.conductivity, heat_capacity=self.heat_capacity

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,11 +17,14 @@ from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
-from warpsph.kernels.heat.alloy import AlloyTable, add_alloy_heat, find_alloy_state, find_fractions, sum_alloy_heat
+from warpsph.kernels.heat.alloy import SUM_ALLOY_HEAT, AlloyTable, add_alloy_heat, find_alloy_state, find_fractions
 from warpsph.kernels.heat.freezing import freeze, gather_ice
 from warpsph.kernels.heat.walls import count_heat
+from warpsph.terms.alloy_equations import AlloyEquations
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.heat_wall import HeatWall
+from warpsph.terms.implicit_heat import ImplicitHeat
+from warpsph.terms.integrators import EXPLICIT, INTEGRATORS, NO_LIMIT, Implicit, Integrator
 from warpsph.terms.liquidus import Liquidus
 from warpsph.terms.solute import SMOOTHING_KERNEL, Solute, planes, refuse_behind
 
@@ -44,7 +48,9 @@ class Alloy(Term):
         liquidus: of the solution.
         walls: planes of given temperature, or insulated, that bound the body.
         literal: conduct as printed in equation (4.2), which counts conduction within the mush twice.
-        longest_interval: largest time between two steps with heat [s], beside the stability limit.
+        longest_interval: largest time between two steps with heat [s], beside the stability limit; an implicit
+            integrator has no such limit and must be given one.
+        integrator: ``Explicit()``, ``BackwardEuler()`` or ``CrankNicolson()``.
 
     One with walls belongs to one simulation.
     """
@@ -55,12 +61,16 @@ class Alloy(Term):
     walls: Sequence[HeatWall] = ()
     literal: bool = False
     longest_interval: float = np.inf
+    integrator: Integrator = EXPLICIT
 
     def __post_init__(self) -> None:
         require(self, "ice", isinstance(self.ice, Material), "a Material")
         require(self, "latent_heat", 0.0 < number(self.latent_heat) < np.inf, "positive [J/kg]")
         require(self, "liquidus", isinstance(self.liquidus, Liquidus), "a Liquidus")
         require(self, "longest_interval", number(self.longest_interval) > 0.0, "positive [s]")
+        require(self, "integrator", isinstance(self.integrator, Integrator), INTEGRATORS)
+        if isinstance(self.integrator, Implicit) and not np.isfinite(self.longest_interval):
+            raise InputError(f"Alloy: longest_interval: {NO_LIMIT}")
         several = isinstance(self.walls, Sequence) and all(isinstance(wall, HeatWall) for wall in self.walls)
         require(self, "walls", several, "a tuple of HeatWall")
         plain = all(wall.conductance in (0.0, np.inf) and wall.flux == 0.0 and not wall.profiles for wall in self.walls)
@@ -124,11 +134,16 @@ class Alloy(Term):
         )
         self.arrays["wall_heat"] = state.hold("alloy.wall_heat", taken)
         self.arrays["wall_rate"] = state.hold("alloy.wall_rate", rate, scratch=True)
+        if isinstance(self.integrator, Implicit):
+            self.__dict__["_implicit"] = ImplicitHeat(self.integrator, AlloyEquations(len(self.walls)), state)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         mirrors: Any = planes(self.walls, model, state.device)
         mirrors.taken, mirrors.rate = self.arrays["wall_heat"], self.arrays["wall_rate"]
-        return {"alloy": self._table(model, state.device), "walls": mirrors}
+        constants = {"alloy": self._table(model, state.device), "walls": mirrors}
+        if self.implicit is not None:
+            constants |= {"solution": self.implicit.solution, "rows": self.implicit.rows}
+        return constants
 
     def reach(self, model: Model) -> float:
         return model.support
@@ -144,13 +159,19 @@ class Alloy(Term):
             pull = k_i * (around + 2.0 * (around + here))
         else:
             pull = max(k_i * around, 0.5 * (k_l + k_i) * (around + here))
+        if isinstance(self.integrator, Implicit):
+            return {"longest interval": self.longest_interval}
         limit = SAFETY * self.ice.density * _capacity(self.ice) / pull
         return {"longest interval": self.longest_interval, "conduction in ice (2.20)": limit}
 
     def sum_heat(self, launch: Launch) -> None:
-        launch(sum_alloy_heat)
+        if self.implicit is None:
+            launch(SUM_ALLOY_HEAT[float])
 
     def add_heat(self, launch: Launch) -> None:
+        if self.implicit is not None:
+            launch.on_host(partial(self.implicit.advance, launch, launch.find("interval")))
+            return
         launch(add_alloy_heat)
         if self.walls:
             launch(count_heat)
@@ -171,6 +192,11 @@ class Alloy(Term):
                 f"the heat of particle {state.numpy('id')[bad[0]]} at ({place}) m is not a number before "
                 f"t = {float(state.time.numpy()[0]):.6g} s"
             )
+
+    @property
+    def implicit(self) -> ImplicitHeat | None:
+        """What solves the steps of an implicit integrator, once it belongs to a simulation."""
+        return self.__dict__.get("_implicit")
 
     def heat_to_walls(self) -> np.ndarray:
         """Heat (walls,) [J] that each wall has taken so far (per metre of depth in 2D)."""

@@ -24,11 +24,10 @@ from warpsph.kernels.heat.walls import ADD_HEAT_OF_IMAGES, HeatWalls, count_heat
 from warpsph.terms.conduction_equations import ConductionEquations
 from warpsph.terms.heat_wall import LARGEST, NUMBERS, SLACK, HeatWall, refuse_misfits
 from warpsph.terms.implicit_heat import ImplicitHeat
-from warpsph.terms.integrators import Explicit, Implicit, Integrator
+from warpsph.terms.integrators import EXPLICIT, INTEGRATORS, NO_LIMIT, Explicit, Implicit, Integrator
 from warpsph.terms.profile import Profile, on_device
 
 MOST_WALLS = 30  # a bit each
-EXPLICIT = Explicit()
 DEFAULT_INTERVAL = 1.0e-3  # [s]
 
 # Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what lattices bear, H = 2 to 3 dx.
@@ -72,11 +71,9 @@ class Conduction(Term):
     def __post_init__(self) -> None:
         given = self.longest_interval is not None
         require(self, "longest_interval", not given or number(self.longest_interval) > 0.0, "positive [s]")
-        require(self, "integrator", isinstance(self.integrator, Integrator), "Explicit(), BackwardEuler(), ...")
+        require(self, "integrator", isinstance(self.integrator, Integrator), INTEGRATORS)
         if not (given or isinstance(self.integrator, Explicit)):
-            raise InputError(
-                "Conduction: longest_interval: an implicit integrator is stable for any step; say how long it is [s]"
-            )
+            raise InputError(f"Conduction: longest_interval: {NO_LIMIT}")
         allowed = "conductances [W/(m^2 K)] by pair of names of materials, as in {('steel', 'copper'): 1500.0}"
         require(self, "films", isinstance(self.films, dict), allowed)
         for pair, conductance in self.films.items():

@@ -1,16 +1,16 @@
 """The equations of an implicit step of conduction, in bodies with one temperature at each place."""
 
 from dataclasses import dataclass
-from typing import ClassVar
 
 from warpsph.core.launch import Launch
 from warpsph.kernels.heat.implicit_conduction import FIND_ITERATE, begin_conduction, count_conduction, end_conduction
 from warpsph.kernels.heat.rows import FIND_ROWS
 from warpsph.kernels.heat.walls import find_walls_near
+from warpsph.terms.implicit_heat import Equations
 
 
 @dataclass
-class ConductionEquations:
+class ConductionEquations(Equations):
     """See :class:`warpsph.terms.implicit_heat.Equations`.
 
     Args:
@@ -26,7 +26,7 @@ class ConductionEquations:
     change: bool
     symmetric: bool
     walls: int
-    families: ClassVar[int] = 1
+    families = 1
 
     def begin(self, launch: Launch) -> None:
         launch(begin_conduction)

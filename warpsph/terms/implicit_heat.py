@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from functools import cached_property, partial
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -37,7 +37,7 @@ WORTH_THREADS = 20_000  # unknowns, above which several threads multiply faster 
 CHECK_EVERY = {True: 10, False: 1}  # iterations of a linear solver; on a GPU each look makes it wait for the host
 
 
-class Equations(Protocol):
+class Equations:
     """What is solved for: how heat, temperature and rows hang together.
 
     Attributes:
@@ -56,18 +56,23 @@ class Equations(Protocol):
 
     def begin(self, launch: Launch) -> None:
         """Write heat and supply of the solution."""
+        raise NotImplementedError
 
     def find_iterate(self, launch: Launch) -> None:
         """Write temperature and capacity of the solution from its heat, and what the rows depend on."""
+        raise NotImplementedError
 
     def find_rows(self, launch: Launch, ago: float) -> None:
         """Write the rows, as they were ``ago`` [s] before the end of the whole step."""
+        raise NotImplementedError
 
     def count(self, launch: Launch, part: float) -> None:
         """Count what leaves the body in the time ``part`` [s], by the rows and temperatures of the moment."""
+        raise NotImplementedError
 
     def end(self, launch: Launch) -> None:
         """Give the particles the heat of the solution."""
+        raise NotImplementedError
 
 
 class ImplicitHeat:

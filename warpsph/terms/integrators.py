@@ -56,3 +56,6 @@ class CrankNicolson(Implicit):
 
 
 Integrator = Explicit | BackwardEuler | CrankNicolson
+EXPLICIT = Explicit()
+INTEGRATORS = "Explicit(), BackwardEuler() or CrankNicolson()"
+NO_LIMIT = "an implicit integrator is stable for any step; say how long it is [s]"
