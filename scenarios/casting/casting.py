@@ -45,7 +45,7 @@ class Casting(CastingParameters):
         terms = (
             Fluid(self.density, self.sound_speed),
             SummedDensity(),
-            Conduction(films),
+            Conduction(films, longest_interval=self.step, integrator=self.stepping),
             PhaseChange(),
             Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),
         )

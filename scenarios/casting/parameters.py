@@ -6,10 +6,11 @@ from typing import Literal
 import numpy as np
 from pydantic import model_validator
 
-from warpsph.cases.scenario import Scenario, parameter
+from warpsph.cases.scenario import parameter
 from warpsph.core.materials import WATER, Material, thesis_steel
 from warpsph.core.model import GRAVITY
 from warpsph.scenarios.casting.travelling_slice import cool_slice
+from warpsph.scenarios.conduction.time_stepping import ConductingScenario
 
 WALL_LAYERS = 3  # of the nozzle
 COOLING_WATER = 373.15  # [K]
@@ -17,7 +18,7 @@ SPRAY_TEMPERATURE = 298.15  # [K]
 SPRAY_BOILED = 374.15  # [K]
 
 
-class CastingParameters(Scenario):
+class CastingParameters(ConductingScenario):
     """A half strand in the plane: axis at x = 0, cold face at x = ``half_width``, y upwards from the outflow.
 
     In three dimensions a quarter of a square billet, with a second plane of symmetry at z = 0 and a second cold face.
@@ -25,6 +26,9 @@ class CastingParameters(Scenario):
 
     duration: float = parameter(18.0, "s", "physical time to simulate", gt=0, le=1e4)
     output_interval: float = parameter(0.1, "s", "physical time between two frames and diagnostics", gt=0, le=1e4)
+    step: float = parameter(
+        1e-3, "s", "longest step of conduction; explicit ones are shorter where stability asks for it", gt=0, le=1.0
+    )
 
     dimension: Literal[2, 3] = parameter(2, "", "2: a half strand in the plane; 3: a quarter of a square billet")
     spacing: float = parameter(0.004, "m", "particle spacing", ge=2e-4, le=0.01)

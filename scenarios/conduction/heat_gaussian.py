@@ -15,6 +15,7 @@ from warpsph.core.state import Snapshot
 from warpsph.run.measured import Measured, Values
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.scenarios.conduction.time_stepping import ConductingScenario
 from warpsph.terms import Conduction
 
 BACKGROUND = 300.0  # temperature far from the spot [K]
@@ -22,7 +23,7 @@ HEAT_CAPACITY = 1000.0  # [J/(kg K)]
 DENSITY = 1000.0  # [kg/m^3]
 
 
-class HeatGaussian(Scenario):
+class HeatGaussian(ConductingScenario):
     """A square plate at rest, insulated at its edges, with a Gaussian rise of temperature in its middle."""
 
     name = "heat_gaussian"
@@ -54,7 +55,7 @@ class HeatGaussian(Scenario):
             materials=(plate,),
             support_ratio=self.support_ratio,
             gravity=(0.0, 0.0, 0.0),
-            terms=(Conduction(longest_interval=self.output_interval),),
+            terms=(Conduction(longest_interval=self.step, integrator=self.stepping),),
         )
         position = lattice((-self.edge / 2,) * 2, (self.edge / 2,) * 2, self.spacing)
         particles = Particles()

@@ -19,6 +19,7 @@ from warpsph.run.measured import Measured, Values
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.conduction.slab_series import Face, Slab
+from warpsph.scenarios.conduction.time_stepping import ConductingScenario
 from warpsph.terms import Conduction, HeatWall, cut_cells
 
 DENSITY = 1000.0  # [kg/m^3]
@@ -35,7 +36,7 @@ class Wall(StrEnum):
     INSULATED = "insulated"
 
 
-class HeatSlab(Scenario):
+class HeatSlab(ConductingScenario):
     """A slab of one temperature, between a wall at x = 0 and one at x = thickness; insulated all around."""
 
     name = "heat_slab"
@@ -114,7 +115,7 @@ class HeatSlab(Scenario):
         particles = Particles()
         volume = cut_cells(points, faces, dx, self.dimension)
         particles.add(points, Role.FREE, temperature=temperature, held=held, volume=volume)
-        conduction = Conduction(longest_interval=self.output_interval, walls=(*faces, *edges))
+        conduction = Conduction(longest_interval=self.step, walls=(*faces, *edges), integrator=self.stepping)
         slab = solid_material("slab", density=DENSITY, heat_capacity=HEAT_CAPACITY, conductivity=self.conductivity)
         model = Model(self.dimension, dx, (slab,), (conduction,), gravity=(0.0, 0.0, 0.0))
         return Simulation(executor, model, particles, observe=partial(self._observe, conduction))

@@ -60,9 +60,6 @@ class SodiumNitrate(ConductingScenario):
     conductivity: float = parameter(0.498, "W/(m K)", "of the liquid", gt=0, le=1e3)
     conductivity_ice: float = parameter(2.408, "W/(m K)", "of ice", gt=0, le=1e3)
     diffusivity: float = parameter(6.8e-7, "kg/(m s)", "of the salt, times the density", ge=0, le=1.0)
-    step: float = parameter(
-        1e4, "s", "longest time step; explicit steps are shorter where stability asks for it", gt=0, le=1e6
-    )
     literal: bool = parameter(False, "", "conduct as printed in (4.2), twice within the mush")
 
     @model_validator(mode="after")

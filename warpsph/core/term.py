@@ -129,6 +129,10 @@ class Term:
     def follow_listing(self, launch: Launch) -> None:
         """Act on a neighbour list that has just been made."""
 
+    def summary(self) -> dict[str, str]:
+        """What is to be said of it at the end of a run, by a few words."""
+        return {}
+
     def check(self, state: State) -> None:
         """Look, on the host, whether something has gone wrong.
 

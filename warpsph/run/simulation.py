@@ -229,6 +229,8 @@ class Simulation:
             "simulated": f"{self.time:.4g} s in {self.steps} steps of {self.solver.dt:.3g} s",
             "computed on": f"{self.executor.description}, in {wall_time:.3g} s",
         }
+        for term in self.model.terms:
+            summary |= term.summary()
         if recorder.note:
             summary["at the end"] = recorder.note
         return Result(

@@ -184,6 +184,9 @@ class Alloy(Term):
         launch(find_fractions)
         launch(find_alloy_state)
 
+    def summary(self) -> dict[str, str]:
+        return {} if self.implicit is None else self.implicit.summary()
+
     def check(self, state: State) -> None:
         bad = np.flatnonzero(~np.isfinite(state.numpy("liquid_heat") + state.numpy("ice_heat")))
         if len(bad):

@@ -187,6 +187,9 @@ class Conduction(Term):
     def find_temperature(self, launch: Launch) -> None:
         launch(update_temperature)
 
+    def summary(self) -> dict[str, str]:
+        return {} if self.implicit is None else self.implicit.summary()
+
     def check(self, state: State) -> None:
         bad = np.flatnonzero(~np.isfinite(state.numpy("enthalpy")))
         if len(bad):

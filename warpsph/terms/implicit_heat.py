@@ -126,6 +126,15 @@ class ImplicitHeat:
         steps, iterates, iterations = self._counters.numpy()
         return int(steps), int(iterates), int(iterations)
 
+    def summary(self) -> dict[str, str]:
+        """How much it took to solve the steps."""
+        steps, iterates, iterations = self.counters
+        each = max(steps, 1)
+        return {
+            "conduction": f"{steps} implicit steps, in each {iterates / each:.3g} systems of equations and "
+            f"{iterations / each:.3g} iterations of {self.method}"
+        }
+
     @cached_property
     def _solve(self) -> Any:
         """The linear solver, with its arrays."""
