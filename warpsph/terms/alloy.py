@@ -140,10 +140,7 @@ class Alloy(Term):
     def constants(self, model: Model, state: State) -> dict[str, object]:
         mirrors: Any = planes(self.walls, model, state.device)
         mirrors.taken, mirrors.rate = self.arrays["wall_heat"], self.arrays["wall_rate"]
-        constants = {"alloy": self._table(model, state.device), "walls": mirrors}
-        if self.implicit is not None:
-            constants |= {"solution": self.implicit.solution, "rows": self.implicit.rows}
-        return constants
+        return {"alloy": self._table(model, state.device), "walls": mirrors}
 
     def reach(self, model: Model) -> float:
         return model.support

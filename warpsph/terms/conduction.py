@@ -130,14 +130,11 @@ class Conduction(Term):
             hold(name, wp.zeros(state.count, dtype=int, device=state.device), scratch=True)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        constants = {
+        return {
             "table": self._table(model, state.device),
             "walls": self._planes(model, state),
             "profiles": on_device(self._profiles, state.device),
         }
-        if (implicit := self.implicit) is not None:
-            constants |= {"solution": implicit.solution, "rows": implicit.rows}
-        return constants
 
     def lattice(self, model: Model) -> Lattice:
         """The lattice of particles, with the support of conduction."""

@@ -84,7 +84,7 @@ class ImplicitHeat:
         state: gives device, number of particles and neighbour list; holds the counters.
 
     Attributes:
-        solution, rows: what the kernels work on, under these names.
+        solution, rows: what the kernels work on; lists of these names.
     """
 
     def __init__(self, integrator: Implicit, equations: Equations, state: State):
@@ -99,15 +99,19 @@ class ImplicitHeat:
 
         self.solution: Any = ImplicitStep()
         for name in members_of(self.solution):
-            if name != "bound":
-                setattr(self.solution, name, doubles(size))
-        self.solution.bound = wp.zeros(size, dtype=int, device=state.device)
+            setattr(
+                self.solution,
+                name,
+                wp.zeros(size, dtype=int, device=state.device) if name == "bound" else doubles(size),
+            )
         self.rows: Any = HeatRows()
         self.rows.families = equations.families
         self.rows.beside = wp.zeros(entries, dtype=float, device=state.device)
         self.rows.here = doubles(size if equations.families > 1 else 0)
         self.rows.diagonal, self.rows.source = doubles(size), doubles(size)
         self.rows.to_wall, self.rows.wall_source = (doubles(equations.walls, state.count) for _ in range(2))
+        state.hold_list("solution", self.solution, scratch=True)
+        state.hold_list("rows", self.rows, scratch=True)
         self._counters = state.hold("implicit.counters", wp.zeros(3, dtype=int, device=state.device))
         self._recordings: dict[tuple, Recording] = {}
 
@@ -161,6 +165,7 @@ class ImplicitHeat:
         """Conduct heat for ``interval`` [s]."""
         self._launch = launch
         counters = self._counters.numpy().copy()
+        self.solution.bound.zero_()
         self.equations.begin(launch)
         left = interval
         for share_of_end, step in self._parts(int(counters[0]), interval):
