@@ -22,7 +22,7 @@ def draw_crystal_growth(result: ResultFile, picture: Path) -> None:
     field = _on_lattice(case, position, fields["temperature"])
     reference = case.finite_volumes(float(result.times[-1]))
     drawing, (left, furnace, *axes) = plt.subplots(
-        1, 5, figsize=(12.5, 6.6), sharey=True, layout="constrained", width_ratios=(1.0, 0.8, 1.0, 1.2, 1.2)
+        1, 5, figsize=(11.5, 6.8), sharey=True, layout="constrained", width_ratios=(1.0, 0.9, 1.0, 1.25, 1.25)
     )
     _draw_particles(left, case)
     _draw_furnace(furnace, case)
@@ -32,9 +32,11 @@ def draw_crystal_growth(result: ResultFile, picture: Path) -> None:
         colours = panel.pcolormesh(x, y, shown.T, cmap="inferno", vmin=1140.0, vmax=1260.0, shading="nearest")
         lines = panel.contour(x, y, shown.T, levels, colors="w", linewidths=0.7)
         panel.clabel(lines, levels[::4], fontsize=7, fmt="%.0f")
-        panel.plot(x[: case.charge_columns], MM * case.interface(shown), color="c", lw=2.2, label="1211.45 K")
+        panel.plot(
+            x[: case.charge_columns], MM * case.interface(shown), color="c", lw=2.2, label=f"{case.melting_point:g} K"
+        )
         panel.set(title=title)
-    axes[0].legend(loc="lower left", fontsize=8)
+    axes[0].legend(loc="upper center", bbox_to_anchor=(0.5, -0.09), fontsize=8, frameon=False)
     drawing.colorbar(colours, ax=axes[1], label="temperature [K]", shrink=0.6)
     difference = field - reference
     bound = float(np.abs(difference).max())
