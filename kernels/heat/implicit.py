@@ -22,9 +22,10 @@ class ImplicitStep:
     [J], the heat at the begin; ``supply`` [W], what sources bring; ``capacity`` [J/K], by how much heat changes with
     temperature, infinite where latent heat passes and :data:`STILL` where the temperature is held. ``known`` [J], the
     heat at the end as far as it does not depend on it; ``moved`` [J], what has come since the begin; ``rest`` [J], by
-    how much the equations are not fulfilled; ``terms`` [J], how large what they are made of is. ``change`` [K] of the
-    temperature solves a linear system with the ``right_side`` [J]; ``added`` [J] is what came with it. ``bound`` (int)
-    is 1 where there is no heat, but a row that says which temperature goes with those of the neighbours.
+    how much the equations are not fulfilled; ``terms`` [J], how large what they are made of is, and ``content`` [J],
+    what would leave down to 0 K. ``change`` [K] of the temperature solves a linear system with the ``right_side`` [J];
+    ``added`` [J] is what came with it. ``bound`` (int) is 1 where there is no heat, but a row that says which
+    temperature goes with those of the neighbours.
     """
 
     heat: wp.array[wp.float64]
@@ -35,6 +36,7 @@ class ImplicitStep:
     known: wp.array[wp.float64]
     moved: wp.array[wp.float64]
     terms: wp.array[wp.float64]
+    content: wp.array[wp.float64]
     rest: wp.array[wp.float64]
     right_side: wp.array[wp.float64]
     change: wp.array[wp.float64]
@@ -72,6 +74,9 @@ def find_known(
     solution.begun[u] = solution.heat[u]
     known = solution.heat[u] + step * solution.supply[u]
     solution.terms[u] = wp.abs(known) + step * rows.diagonal[u] * wp.abs(solution.temperature[u])
+    solution.content[u] = wp.float64(0.0)
+    if changes(solution.capacity[u]):
+        solution.content[u] = stored(solution, u) * wp.abs(solution.temperature[u])
     if begin > wp.float64(0.0):
         known += begin * (heat_gained(rows, neighbours, solution.temperature, u) + rows.source[u])
     solution.known[u] = known

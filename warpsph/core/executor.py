@@ -17,6 +17,7 @@ from warpsph.kernels.basics.barrier import barrier
 
 # Threads take turns along the particles, because these are sorted by place and places differ in work.
 SLICES_PER_THREAD = 8
+WORTH_THREADS = 20_000  # indices, above which a launch from the host is done faster by several threads than by one
 
 
 @dataclass
@@ -86,6 +87,13 @@ class Executor:
             if last > first:
                 wp.launch(kernel, dim=last - first, inputs=[first, *inputs], device=self.device)
         self._meet()
+
+    def prepared(self, kernel: wp.Kernel, dim: int, inputs: Sequence) -> Callable[[], None]:
+        """A launch that is made many times from the host, with what the interpreter has to do done once."""
+        if self.threads == 1 or dim < WORTH_THREADS:
+            return wp.launch(kernel, dim=dim, inputs=[0, *inputs], device=self.device, record_cmd=True).launch
+        recording = self.record(lambda: self(kernel, dim, inputs))
+        return lambda: self.replay([(recording, 1)])
 
     def whole(self, kernel: wp.Kernel, dim: int, inputs: Sequence) -> None:
         """Launch ``kernel`` without cutting it: for counters that several indices share, and for single-thread work."""

@@ -34,6 +34,10 @@ class Launch:
         """
         self.executor(kernel, self.count if dim is None else dim, self.arguments(kernel, given))
 
+    def prepared(self, kernel: wp.Kernel, dim: int, **given: Any) -> Callable[[], None]:
+        """A launch over ``dim`` indices that is made many times from the host."""
+        return self.executor.prepared(kernel, dim, self.arguments(kernel, given))
+
     def whole(self, kernel: wp.Kernel, dim: int = 1, **given: Any) -> None:
         """Launch ``kernel`` uncut, by default over one index: for counters that several indices share."""
         self.executor.whole(kernel, dim, self.arguments(kernel, given))

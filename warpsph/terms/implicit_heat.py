@@ -9,7 +9,6 @@ import warp as wp
 from warp.optim.linear import LinearOperator, bicgstab, cg
 from warp.utils import array_inner
 
-from warpsph.core.executor import Recording
 from warpsph.core.launch import Launch
 from warpsph.core.state import State, members_of
 from warpsph.errors import DivergenceError
@@ -31,9 +30,9 @@ FOLLOWED = (
     12  # iterates that rows follow; where conductivities jump, as when a front enters a particle, none fulfils all
 )
 EACH_SYSTEM = 1.0e-3  # to which share of its right hand side a system is solved before the next iterate
+ENOUGH = 1.0e-9  # rest over the heat content where hardly anything moves any more: a millionth of a kelvin
 ROUNDING = 1.0e-15  # of what the equations are made of, in double precision
 HALVINGS = 6  # of a change that has made the rest larger
-WORTH_THREADS = 20_000  # unknowns, above which several threads multiply faster than one
 CHECK_EVERY = {True: 10, False: 1}  # iterations of a linear solver; on a GPU each look makes it wait for the host
 
 
@@ -113,7 +112,7 @@ class ImplicitHeat:
         state.hold_list("solution", self.solution, scratch=True)
         state.hold_list("rows", self.rows, scratch=True)
         self._counters = state.hold("implicit.counters", wp.zeros(3, dtype=int, device=state.device))
-        self._recordings: dict[tuple, Recording] = {}
+        self._prepared: dict[tuple, Callable[[], None]] = {}
 
     def bind(self, find_rows: Callable[[Launch], None]) -> None:
         """Let ``find_rows`` put other rows in the place of those of particles without heat, and mark them ``bound``."""
@@ -229,7 +228,8 @@ class ImplicitHeat:
     def _goal(self) -> float:
         """The largest rest [J] that is accepted."""
         solution = self.solution
-        return max(self.integrator.tolerance * _norm(solution.moved), ROUNDING * _norm(solution.terms))
+        enough = max(ENOUGH * _norm(solution.content), ROUNDING * _norm(solution.terms))
+        return max(self.integrator.tolerance * _norm(solution.moved), enough)
 
     def _change(self) -> int:
         """Solve for the change of the temperatures and let heats follow; return the number of iterations."""
@@ -255,15 +255,11 @@ class ImplicitHeat:
         return norm
 
     def _multiply(self, kernel: wp.Kernel, x: wp.array, y: wp.array, z: wp.array, alpha: float, beta: float) -> None:
-        given: dict[str, Any] = {"end": self._end, "alpha": float(alpha), "beta": float(beta), "x": x, "y": y, "z": z}
-        executor = self._launch.executor
-        if executor.threads == 1 or self._size < WORTH_THREADS:
-            self._each(kernel, **given)
-            return
         key = (kernel.key, self._end, alpha, beta, x.ptr, y.ptr, z.ptr)
-        if key not in self._recordings:
-            self._recordings[key] = executor.record(lambda: self._each(kernel, **given))
-        executor.replay([(self._recordings[key], 1)])
+        if key not in self._prepared:
+            given: dict[str, Any] = {"alpha": float(alpha), "beta": float(beta), "x": x, "y": y, "z": z}
+            self._prepared[key] = self._launch.prepared(kernel, self._size, end=self._end, **given)
+        self._prepared[key]()
 
     def _failure(self, method: str, count: int, norm: float, goal: float) -> DivergenceError:
         return DivergenceError(

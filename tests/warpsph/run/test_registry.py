@@ -25,6 +25,13 @@ SMALL: dict[str, Callable[[], dict[str, Any]]] = {
     "rubber_rings": lambda: {"layers": 4, "duration": 0.01, "output_interval": 0.002},
     "rotated_disc": lambda: {"spacing": 0.005, "stretch": 0.02, "duration": 4e-3, "output_interval": 1e-3},
     "heat_gaussian": lambda: {"spacing": 0.04, "duration": 2.0, "output_interval": 0.5},
+    "crystal_growth": lambda: {
+        "spacing": 1e-3,
+        "charge_half_width": 13e-3,
+        "step": 2.0,
+        "duration": 8.0,
+        "output_interval": 4.0,
+    },
     "heat_slab": lambda: {"rows": 10, "duration": 40.0, "output_interval": 10.0},
 }
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from warpsph.core import executor
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Role
 from warpsph.core.materials import melting_material, solid_material
@@ -20,7 +21,6 @@ from warpsph.terms import (
     PhaseChange,
     PointSource,
     WholePhases,
-    implicit_heat,
 )
 
 L, ROWS = 0.1, 20
@@ -181,7 +181,7 @@ def test_two_runs_are_one(device):
 
 
 def test_threads_multiply_alike(monkeypatch):
-    monkeypatch.setattr(implicit_heat, "WORTH_THREADS", 1)
+    monkeypatch.setattr(executor, "WORTH_THREADS", 1)
     ends = []
     for threads in (1, None):
         simulation, _ = plate("cpu", CrankNicolson(), 10.0, wave, INSULATED, threads=threads)
