@@ -11,8 +11,11 @@ from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
-TOLERANCE = wp.constant(wp.float64(1.0e-3))  # of the mass of ice, section 4.1
+TOLERANCE = wp.constant(
+    wp.float64(1.0e-10)
+)  # of the mass of ice; 1e-3 in section 4.1, too rough a curve for implicit steps
 MOST_SWEEPS = wp.constant(30)
+MOST_ICE = wp.constant(wp.float64(0.999999))  # of the liquid of a place in one step: some stays, to be reported
 
 
 @wp.func
@@ -25,9 +28,8 @@ def segment_of(alloy: AlloyTable, C: wp.float64) -> int:
 
 
 @wp.func
-def liquidus_slope(alloy: AlloyTable, C: wp.float64) -> wp.float64:
-    """Gamma [K], by how much the liquidus falls there over a unit of concentration."""
-    s = segment_of(alloy, C)
+def slope_of(alloy: AlloyTable, s: int) -> wp.float64:
+    """Gamma [K] of a segment, by how much the liquidus falls over a unit of concentration."""
     return (alloy.melting[s] - alloy.melting[s + 1]) / (alloy.concentration[s + 1] - alloy.concentration[s])
 
 
@@ -35,7 +37,23 @@ def liquidus_slope(alloy: AlloyTable, C: wp.float64) -> wp.float64:
 def liquidus(alloy: AlloyTable, C: wp.float64) -> wp.float64:
     """Temperature [K] below which liquid of the concentration C freezes."""
     s = segment_of(alloy, C)
-    return alloy.melting[s] - liquidus_slope(alloy, C) * (C - alloy.concentration[s])
+    return alloy.melting[s] - slope_of(alloy, s) * (C - alloy.concentration[s])
+
+
+@wp.func
+def chord_slope(alloy: AlloyTable, C: wp.float64, end: wp.float64) -> wp.float64:
+    """Gamma [K] from one concentration to a higher one: of the segment that holds both, or else of the chord."""
+    s, last = segment_of(alloy, C), alloy.melting.shape[0] - 2
+    slope = slope_of(alloy, s)
+    if s == last or alloy.concentration[s + 1] >= end:
+        return slope
+    fallen, start = wp.float64(0.0), wp.float64(C)
+    while s < last and alloy.concentration[s + 1] < end:
+        fallen += slope * (alloy.concentration[s + 1] - start)
+        start = alloy.concentration[s + 1]
+        s += 1
+        slope = slope_of(alloy, s)
+    return (fallen + slope * (end - start)) / (end - C)
 
 
 @wp.func
@@ -46,7 +64,10 @@ def cooling(q: wp.float64, GC: wp.float64, L: wp.float64, c_l: wp.float64, c_i: 
     (4.9), make of it.
     """
     b = L + GC * c_l - q
-    return wp.float64(2.0) * q * GC / (b + wp.sqrt(b * b + wp.float64(4.0) * c_i * q * GC))
+    root = wp.sqrt(b * b + wp.float64(4.0) * c_i * q * GC)
+    if b < wp.float64(0.0):  # the other form of the root: a sum here, a small difference below
+        return (root - b) / (wp.float64(2.0) * c_i)
+    return wp.float64(2.0) * q * GC / (b + root)
 
 
 @wp.func
@@ -55,16 +76,15 @@ def ice_formed(alloy: AlloyTable, C: wp.float64, q: wp.float64) -> wp.float64:
 
     On a bent liquidus the slope is that of the chord, found anew until the ice changes by less than ``TOLERANCE``.
     """
-    G = liquidus_slope(alloy, C)
+    G = chord_slope(alloy, C, C)
     ice, before = wp.float64(0.0), wp.float64(-1.0)
     for _sweep in range(MOST_SWEEPS):
         if wp.abs(ice - before) > TOLERANCE * wp.float64(0.5) * (ice + before):
             before = ice
             x = cooling(q, G * C, alloy.latent_heat, alloy.capacity_liquid, alloy.capacity_ice)
-            ice = x / (G * C + x)  # Monaghan et al. (4.9)
+            ice = wp.min(x / (G * C + x), MOST_ICE)  # Monaghan et al. (4.9)
             rise = C * ice / (wp.float64(1.0) - ice)  # Monaghan et al. (4.6)
-            if rise > wp.float64(0.0):
-                G = (liquidus(alloy, C) - liquidus(alloy, C + rise)) / rise  # Monaghan et al. (4.7)
+            G = chord_slope(alloy, C, C + rise)  # Monaghan et al. (4.7)
     return ice
 
 
@@ -93,7 +113,8 @@ def freeze(
     new_ice[i] = wp.float64(0.0)
     new_heat[i] = wp.float64(0.0)
     m = liquid_mass[i]
-    if role[i] == Role.RESERVOIR or not solute_mass[i] > wp.float64(0.0):
+    has_both = solute_mass[i] > wp.float64(0.0) and solute_mass[i] < m
+    if role[i] == Role.RESERVOIR or not has_both:
         return
     c_l, c_i, L = alloy.capacity_liquid, alloy.capacity_ice, alloy.latent_heat
     C = solute_mass[i] / m

@@ -5,7 +5,7 @@ import warp as wp
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import cubic_spline_slope
 from warpsph.kernels.heat.alloy import AlloyTable, conductivities, wall_ice
-from warpsph.kernels.heat.freezing import ice_formed, liquidus, liquidus_slope
+from warpsph.kernels.heat.freezing import chord_slope, ice_formed, liquidus
 from warpsph.kernels.heat.implicit import STILL, ImplicitStep
 from warpsph.kernels.heat.mirrors import image_distance, mirrors_of
 from warpsph.kernels.heat.rows import HeatRows
@@ -53,7 +53,7 @@ def find_alloy_iterate(
     if q > wp.float64(0.0) and wp.float64(0.0) < C:
         ice = ice_formed(alloy, C, q)
         x = (q - ice * L) / (ice * c_i + (wp.float64(1.0) - ice) * c_l)
-        GC = C * liquidus_slope(alloy, C)
+        GC = C * chord_slope(alloy, C, C)
         if ice > wp.float64(0.0):
             GC = x * (wp.float64(1.0) - ice) / ice
         T = T_L - x

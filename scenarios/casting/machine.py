@@ -9,6 +9,7 @@ from warpsph.core.labels import Role
 from warpsph.core.materials import WATER
 from warpsph.core.model import GRAVITY
 from warpsph.core.particles import Particles, lattice
+from warpsph.errors import InputError
 from warpsph.machine import Inlet, LevelGauge, Outflow, Rolls, ShellSpeedometer, Spray, SprayZone, SymmetryPlane
 from warpsph.scenarios.casting.nozzle import Nozzle, side_port, straight_tube
 from warpsph.scenarios.casting.parameters import (
@@ -111,6 +112,11 @@ class CastingMachine:
         points = np.tile(section, (len(self.heights), 1))
         points[:, 1] = np.repeat(self.heights, len(section))
         profiles = case.slices(self.heights)
+        if (coldest := float(np.min(profiles))) < 0.0:
+            raise InputError(
+                f"spray_flux = {case.spray_flux:g}: the strand of the start would fall to {coldest:.4g} K; less water, "
+                "or faster casting, keeps it above 0 K"
+            )
         cells = (np.arange(profiles.shape[1]) + 0.5) * W / profiles.shape[1]
         from_axis = np.max(section[:, [0, 2]], axis=1)
         temperature = np.concatenate([np.interp(from_axis, cells, profile) for profile in profiles])

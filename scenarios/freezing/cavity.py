@@ -48,6 +48,12 @@ def inside(points: np.ndarray, polygon: np.ndarray) -> np.ndarray:
     return np.sum(meets, axis=1) % 2 == 1
 
 
+def area(polygon: np.ndarray) -> float:
+    """Area [m^2] of a polygon (n, 2)."""
+    x, y = polygon.T
+    return float(0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))))
+
+
 class Cavity(Freezing):
     """A cavity full of water, about 1 m wide, without heat from outside, with two sinks in its lower half."""
 
@@ -71,6 +77,14 @@ class Cavity(Freezing):
             raise ValueError(f"start = {self.start} K: must lie above melting, {self.melting} K")
         if not np.all(inside(np.array([[self.sink_x, self.sink_y], [-self.sink_x, self.sink_y]]), outline())):
             raise ValueError(f"sink_x, sink_y = {self.sink_x}, {self.sink_y} m: a sink must lie in the cavity")
+        to_zero = WATER["latent_heat"] + WATER["heat_capacity_solid"] * self.melting
+        to_zero += WATER["heat_capacity_liquid"] * (self.start - self.melting)
+        most = 0.5 * area(outline()) * WATER["density"] * to_zero / self.duration
+        if self.strength > most:
+            raise ValueError(
+                f"strength = {self.strength:g} W/m: by the end both sinks have taken more heat than the water holds "
+                f"above 0 K; {most:.4g} W/m at most, or a shorter duration"
+            )
         return self
 
     @property

@@ -8,6 +8,7 @@ Worster (1986) for phases of two densities that do not flow.
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from scipy.integrate import OdeSolution, solve_ivp
@@ -16,6 +17,9 @@ from scipy.special import erfc, erfcx
 
 NEAREST = 0.02  # of the front: below, diffusion from the wall, which the last slope goes on through, is left out
 MOST_CALLS = 5000  # of an integration that gets through
+NO_ICE = 1e-8  # of the volume: rounding
+REACHED = 0  # status of an integration that nothing has ended before its end
+HALVINGS = 10  # on the way from a front with a mush to one without
 TRIED = np.geomspace(1e-4, 10.0, 80)  # fronts, over the width of the layer of heat in the liquid
 
 
@@ -134,37 +138,76 @@ class Mush:
         calls = iter(range(MOST_CALLS))
 
         def mushy(reduced: float, y: np.ndarray) -> list[float]:
-            if next(calls, None) is None or not 0.0 <= y[2] * self.density_liquid / self.density_ice < 1.0:
+            if next(calls, None) is None:
                 raise ArithmeticError
             return self._mushy(reduced, y)
 
+        def least(reduced: float, y: np.ndarray) -> float:
+            """Volume fraction of ice or of liquid; asked at steps that are taken, not at those that are tried."""
+            ice = y[2] * self.density_liquid / self.density_ice
+            return float(min(ice + NO_ICE, 1.0 - ice))
+
         start = [*self._start(front), 0.0]
         try:
-            return solve_ivp(mushy, (front, NEAREST * front), start, rtol=1e-8, atol=1e-9, dense_output=True).sol
+            found = solve_ivp(
+                mushy,
+                (front, NEAREST * front),
+                start,
+                rtol=1e-8,
+                atol=1e-9,
+                dense_output=True,
+                events=_falls_to_zero(least),
+            )
         except (ArithmeticError, np.linalg.LinAlgError):
             return None
+        return found.sol if found.status == REACHED else None
 
     def _misses(self, front: float) -> float:
-        """By how much the wall would be too warm [K]."""
+        """By how much the wall would be too warm [K]; not a number where no mush with such a front is so deep."""
         profile = self._integrated(front)
         if profile is None:
-            return -self.wall
+            return np.nan
         temperature, slope, _ = profile(NEAREST * front)
         return float(temperature - slope * NEAREST * front) - self.wall
 
     @cached_property
     def _front(self) -> float:
-        """Front over sqrt(t)."""
-        before, last = np.nan, 0.0
-        for tried in self._width * TRIED:
-            now = self._misses(tried)
-            if before > 0.0 >= now:
-                return float(brentq(self._misses, last, tried, rtol=1e-10))
-            before, last = now, tried
+        """Front over sqrt(t); not a number where there is none."""
+        low, too_warm = np.nan, np.nan
+        for high in self._width * TRIED:
+            still_too_warm = self._misses(high)
+            if np.isfinite(front := self._between(low, too_warm, high, still_too_warm, HALVINGS)):
+                return front
+            low, too_warm = high, still_too_warm
         return np.nan
+
+    def _between(self, low: float, too_warm: float, high: float, still_too_warm: float, halvings: int) -> float:
+        """The front between two that miss the wall by so much [K]; not a number where none is found.
+
+        Where one of them has no mush so deep, the wall may be met on the way from the other one to there.
+        """
+        if too_warm > 0.0 >= still_too_warm:
+            try:
+                return float(brentq(self._misses, low, high, rtol=1e-10))
+            except ValueError:  # one between them has no mush so deep
+                return np.nan
+        up_to_here = too_warm > 0.0 and np.isnan(still_too_warm)
+        from_here = np.isnan(too_warm) and still_too_warm <= 0.0
+        if not (up_to_here or from_here) or halvings == 0 or np.isnan(low):
+            return np.nan
+        middle = 0.5 * (low + high)
+        halfway = self._misses(middle)
+        first = self._between(low, too_warm, middle, halfway, halvings - 1)
+        return first if np.isfinite(first) else self._between(middle, halfway, high, still_too_warm, halvings - 1)
 
     @cached_property
     def _profile(self) -> Callable[[np.ndarray], np.ndarray]:
         """Temperature, slope and mass fraction of ice over the reduced height."""
         profile = self._integrated(self._front) if np.isfinite(self._front) else None
         return profile or (lambda reduced: np.full((3, *np.shape(reduced)), np.nan))
+
+
+def _falls_to_zero(event: Any) -> Any:
+    """An event that ends an integration where it comes down to zero."""
+    event.terminal, event.direction = True, -1.0
+    return event

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.special import erf, erfc
+from scipy.special import erf, erfcx
 
 from warpsph.scenarios.freezing.front import FreezingFront
 
@@ -22,7 +22,7 @@ class Neumann(FreezingFront):
         s, ratio = self.similarity, np.sqrt(self.diffusivity_solid / self.diffusivity_liquid)
         latent = s * self.latent_heat * np.sqrt(np.pi) / self.heat_capacity_solid
         in_melt = self.conductivity_liquid / self.conductivity_solid * ratio * (self.start - self.melting)
-        in_melt *= np.exp(-((s * ratio) ** 2)) / erfc(s * ratio)
+        in_melt /= erfcx(s * ratio)  # the exponential over erfc, each of which falls below the smallest number
         return float(self.melting - erf(s) * np.exp(s**2) * (latent + in_melt))  # Monaghan (3.6), phases set apart
 
     def temperature(self, y: np.ndarray, time: float) -> np.ndarray:
@@ -30,7 +30,9 @@ class Neumann(FreezingFront):
         s, ratio = self.similarity, np.sqrt(self.diffusivity_solid / self.diffusivity_liquid)
         eta = y / np.sqrt(4.0 * self.diffusivity_solid * time)  # Monaghan (3.4)
         solid = self.plane + (self.melting - self.plane) / erf(s) * erf(eta)  # Monaghan (3.2)
-        liquid = self.start + (self.melting - self.start) / erfc(s * ratio) * erfc(eta * ratio)  # Monaghan (3.3)
+        ahead = np.maximum(eta, s) * ratio
+        share = np.exp((s * ratio) ** 2 - ahead**2) * erfcx(ahead) / erfcx(s * ratio)  # a ratio of erfc
+        liquid = self.start + (self.melting - self.start) * share  # Monaghan (3.3)
         return np.where(eta < s, solid, liquid)
 
     def heat(self, time: float) -> float:

@@ -64,6 +64,13 @@ class PointSink(Freezing):
     def _check_temperatures(self) -> "PointSink":
         if not self.start > self.melting:
             raise ValueError(f"start = {self.start} K: must lie above melting, {self.melting} K")
+        h = self.smoothing_length * self.spacing
+        coldest = float(self.exact.temperature(np.array([h]), self.duration)[0])
+        if coldest < 0.0:
+            raise ValueError(
+                f"similarity = {self.similarity}: by the end the exact solution has fallen to {coldest:.4g} K at a "
+                f"smoothing length, {h:.3g} m, from the sink; a smaller one, or a shorter duration, stays above 0 K"
+            )
         return self
 
     @property

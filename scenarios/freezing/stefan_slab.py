@@ -27,15 +27,16 @@ PUBLISHED_LOST = 0.6  # heat that the mushy row has lost over the latent heat, r
 
 
 class StefanSlab(Freezing):
-    """Melt between a cold face at y = 0 and a warm one at y = 1 m, without ends along x."""
+    """Melt between a cold face at y = 0 and a warm one at y = height, without ends along x."""
 
     name = "stefan_slab"
     summary = "melt freezes from a cold face (the problem of Stefan)"
     source = f"{SOURCE}, section 3.1; {NEUMANN}"
-    presets = ("paper", "unequal")
+    presets = ("paper", "unequal", "water")
 
-    duration: float = parameter(0.0568047337278, "s", "physical time to simulate", gt=0, le=1e3)
-    output_interval: float = parameter(0.00284023668639, "s", "physical time between two frames", gt=0, le=1e3)
+    duration: float = parameter(0.0568047337278, "s", "physical time to simulate", gt=0, le=1e9)
+    output_interval: float = parameter(0.00284023668639, "s", "physical time between two frames", gt=0, le=1e9)
+    height: float = parameter(1.0, "m", "from face to face", gt=1e-6, le=1e4)
     particles: int = parameter(40, "", "particles from face to face, one on each", ge=10, le=640)
     columns: int = parameter(40, "", "columns of particles along the faces", ge=4, le=640)
     planes: bool = parameter(True, "", "whether faces have images behind them, not only a held row")
@@ -61,7 +62,7 @@ class StefanSlab(Freezing):
     @property
     def spacing(self) -> float:
         """Particle spacing [m]."""
-        return 1.0 / (self.particles - 1)
+        return self.height / (self.particles - 1)
 
     @property
     def exact(self) -> Neumann:
@@ -75,12 +76,12 @@ class StefanSlab(Freezing):
 
     def build(self, executor: Executor) -> Simulation:
         dx, breadth, cold = self.spacing, self.columns * self.spacing, self.exact.plane
-        points = lattice((0.0, -0.5 * dx), (breadth, 1.0 + 0.5 * dx), dx)
+        points = lattice((0.0, -0.5 * dx), (breadth, self.height + 0.5 * dx), dx)
         along_x, along_y = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
         ends = (HeatWall.insulated(along_x, 0.0), HeatWall.insulated((-1.0, 0.0, 0.0), -breadth))
         faces = (
             HeatWall.at_temperature(along_y, 0.0, cold),
-            HeatWall.at_temperature((0.0, -1.0, 0.0), -1.0, self.start),
+            HeatWall.at_temperature((0.0, -1.0, 0.0), -self.height, self.start),
         )
         on_cold, on_warm = (np.abs(face.height(points)) < 0.25 * dx for face in faces)
         walls = (*faces, *ends) if self.planes else ends
@@ -103,7 +104,7 @@ class StefanSlab(Freezing):
 
     def _observe(self, conduction: Conduction, state: Snapshot, time: float) -> Values:
         y = state["position"][:, 1].astype(float)
-        low, held = y < 0.5, state["heat_held"]
+        low, held = y < 0.5 * self.height, state["heat_held"]
         cold, warm = np.sum(held[low]), np.sum(held[~low])
         if self.planes:
             cold, warm = np.array([cold, warm]) + conduction.heat_to_walls()[:2]
@@ -119,7 +120,7 @@ class StefanSlab(Freezing):
 
     def _front(self, y: np.ndarray, solid_fraction: np.ndarray) -> float:
         """Place [m] of the front by what has frozen, the rows on the faces with half their cells."""
-        on_a_face = np.minimum(y, 1.0 - y) < 0.25 * self.spacing
+        on_a_face = np.minimum(y, self.height - y) < 0.25 * self.spacing
         cells = np.where(on_a_face, 0.5, 1.0) * self.spacing
         return float(np.sum(cells * solid_fraction)) / self.columns
 

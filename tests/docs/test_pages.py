@@ -1,11 +1,15 @@
 """The pages of the manual as a reader meets them."""
 
 import re
+import shlex
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
 
-from warpsph.cli.catalogue import all_scenarios
+from warpsph.cases.case import preset_layer, resolve, settings_layer
+from warpsph.cli.catalogue import all_scenarios, find_scenario
+from warpsph.cli.run import RESULTS, default_path
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*(ROOT / "docs").rglob("*.md"), ROOT / "README.md", ROOT / "CONTRIBUTING.md"])
@@ -29,24 +33,46 @@ def test_every_picture_has_a_caption(page):
     assert all(after.startswith("*") and not after.startswith("**") for after in pictures), pictures
 
 
+def commands(page: str, kind: str) -> list[list[str]]:
+    """The words of the commands of a kind on a page, those that go on in the next line as one."""
+    lines = re.findall(rf"^(?: {{4}}|)(warpsph (?:{kind}) .*)$", page.replace("\\\n", " "), re.MULTILINE)
+    return [shlex.split(line, comments=True) for line in lines]
+
+
+def options(words: list[str], name: str) -> list[str]:
+    """What a command gives for an option."""
+    return [value for option, value in pairwise(words) if option == name]
+
+
+def result_of(words: list[str]) -> Path:
+    """The file that ``warpsph run`` writes."""
+    if output := options(words, "--output"):
+        return Path(output[0])
+    case = next((Path(word) for word in words[3:] if word.endswith(".toml")), None)
+    return default_path(find_scenario(words[2]), next(iter(options(words, "--preset")), None), case)
+
+
 def test_two_commands_do_not_write_the_same_file(page):
     """If it failed, the second of two commands would be refused, because the first has written its file."""
-    commands = re.findall(r"^(?: {4}|)(warpsph (?:run|render|plot) .*)$", page, re.MULTILINE)
-    targets = [target for command in commands if (target := written(command.partition("#")[0].split()))]
-    assert len(targets) == len(set(targets)), targets
+    results = [str(result_of(words)) for words in commands(page, "run")]
+    pictures = [" ".join(options(words, "--output") or words) for words in commands(page, "render|plot")]
+    assert len(results + pictures) == len({*results, *pictures}), results + pictures
 
 
-def written(words: list[str]) -> tuple[str, ...]:
-    """What decides on the name of the file that a command writes; empty where the command is continued elsewhere."""
-    if "--output" in words:
-        return ("to", words[words.index("--output") + 1])
-    if words[-1] == "\\":
-        return ()
-    if words[1] == "run":
-        preset = words[words.index("--preset") + 1] if "--preset" in words else "default"
-        case = next((word for word in words[3:] if word.endswith(".toml")), preset)
-        return ("run", words[2], case)
-    return tuple(words)
+def test_what_is_read_has_been_written(page):
+    """If it failed, a command that a reader copies would look for a file of another name than the one that is there."""
+    here = {result_of(words) for words in commands(page, "run")}
+    elsewhere = {result_of(words) for path in PAGES for words in commands(path.read_text(), "run")}
+    known = here | {path for path in elsewhere if path.parent == RESULTS}
+    assert [words for words in commands(page, "render|plot|info") if Path(words[2]) not in known] == []
+
+
+def test_what_is_run_can_be_run(page):
+    """If it failed, a command that a reader copies would name a preset or a parameter that there is not."""
+    for words in commands(page, "run"):
+        kind = find_scenario(words[2])
+        layers = [preset_layer(kind, preset) for preset in options(words, "--preset")]
+        assert resolve(kind, [*layers, settings_layer(options(words, "--set"))])
 
 
 def test_every_scenario_is_linked():

@@ -19,7 +19,7 @@ def render(
     /,
     *,
     field: Annotated[str | None, Parameter(metavar="NAME")] = None,
-    time: Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gte=0, lte=1e6))] = None,
+    time: Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gte=0))] = None,
     movie: bool = False,
     cut: Annotated[str | None, Parameter(metavar="AXIS=METRES")] = None,
     output: Annotated[Path | None, Parameter(metavar="PICTURE")] = None,

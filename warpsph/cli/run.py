@@ -27,7 +27,7 @@ def _whole_number(kind: type, tokens: Sequence[Token]) -> int:
     return int(tokens[0].value)
 
 
-Seconds = Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gt=0, lte=1e6))]
+Seconds = Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gt=0))]
 Threads = Annotated[int | None, Parameter(metavar="N", validator=Number(gte=1), converter=_whole_number)]
 Settings = Annotated[list[str] | None, Parameter(name="--set", metavar="KEY=VALUE", consume_multiple=(1, None))]
 
@@ -80,7 +80,7 @@ def run(
     kind = find_scenario(name)
     preset = preset or (None if case else kind.default_preset)
     scenario = resolve(kind, _layers(kind, preset, case, settings, until, every))
-    path = _target(output, "-".join(filter(None, [name, case.stem if case else preset])), overwrite)
+    path = _target(output or default_path(kind, preset, case), overwrite)
     result = _simulate(scenario, device, threads, path, overwrite, quiet)
     if not quiet:
         _conclude(result, path)
@@ -103,8 +103,13 @@ def _layers(
     return layers
 
 
-def _target(output: Path | None, default_stem: str, overwrite: bool) -> Path:
-    path = output or RESULTS / f"{default_stem}.vtkhdf"
+def default_path(kind: type[Scenario], preset: str | None, case: Path | None) -> Path:
+    """Where the result of a case goes for which no file is named."""
+    which = case.stem if case else preset or kind.default_preset
+    return RESULTS / f"{'-'.join(filter(None, [kind.name, which]))}.vtkhdf"
+
+
+def _target(path: Path, overwrite: bool) -> Path:
     check_target(path, ".vtkhdf", made_by_us=path.parent == RESULTS)
     check_free(path, overwrite)
     return path

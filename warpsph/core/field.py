@@ -30,6 +30,7 @@ class Field:
         unit: SI unit, "" where it has none.
         label: a few words, for people and pictures.
         start: value at the start where neither the particles nor a term's ``start`` give one.
+        least: the smallest value that particles may be given.
         compensated: whether a second array, ``<name>_carry``, holds what single precision loses of its sum.
         kept: whether it belongs to its particle from step to step: moved when particles are sorted, in snapshots and
             checkpoints. Otherwise it is written anew before it is read, and nobody else sees it.
@@ -43,6 +44,7 @@ class Field:
     label: str
     _: KW_ONLY
     start: Start = 0.0
+    least: float = -np.inf
     compensated: bool = False
     kept: bool = True
     written: bool = False

@@ -11,6 +11,8 @@ from warpsph.core.state import State
 from warpsph.errors import InputError
 from warpsph.nearest import did_you_mean
 
+SMALLEST_NORMAL = float(np.finfo(np.float32).tiny)
+
 
 def initial_state(model: Model, particles: Particles, device: wp.Device) -> State:
     """The fields and values of all terms of a composed model.
@@ -42,6 +44,10 @@ def initial_state(model: Model, particles: Particles, device: wp.Device) -> Stat
     for term in model.terms:
         take(term.start(model, particles, starts), type(term).__name__)
     _refuse_depth(model, starts)
+    if np.min(starts["mass"]) < SMALLEST_NORMAL:
+        raise InputError(
+            f"particles: a mass of {np.min(starts['mass']):g}: too small for single precision; use SI units"
+        )
     state = State(len(particles), device)
     for name, field in fields.items():
         state.add(field, starts[name])
@@ -64,6 +70,11 @@ def _refuse_misfits(field: Field, values: np.ndarray) -> None:
         raise InputError(f"particles: '{field.name}' was given values that are not finite numbers")
     if field.dtype is int and (np.any(values != np.round(values)) or np.any(np.abs(values) > 2**31 - 1)):
         raise InputError(f"particles: '{field.name}' was given values that are not integers of 32 bits")
+    if np.any(values < field.least):
+        unit = f" {field.unit}" if field.unit else ""
+        raise InputError(
+            f"particles: '{field.name}' was given {np.min(values):g}{unit}: must not be below {field.least:g}{unit}"
+        )
     if field.name == "mass" and np.any(values <= 0.0):
         raise InputError("particles: 'mass' was given values that are not positive [kg, or kg/m in 2D]")
     if field.name == "phase" and not np.all(np.isin(values, list(Phase))):

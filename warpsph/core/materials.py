@@ -7,6 +7,8 @@ import numpy as np
 
 from warpsph.errors import InputError, number, shown
 
+SMALLEST, LARGEST = 1.0e-6, 1.0e9  # of densities, capacities and conductivities, in SI units
+
 
 @dataclass(frozen=True)
 class Material:
@@ -16,7 +18,8 @@ class Material:
         name: for messages and pictures.
         density: reference density [kg/m^3].
         temperatures: nodes of the enthalpy curve [K], rising; a pure substance has its melting point twice.
-        enthalpies: specific enthalpy at the nodes [J/kg], rising strictly; linear between and beyond the nodes.
+        enthalpies: specific enthalpy at the nodes [J/kg], rising strictly, in single precision as well; linear between
+            and beyond the nodes.
         conductivity_solid, conductivity_liquid: thermal conductivity [W/(m K)], linear in the solid fraction between.
         viscosity: dynamic viscosity of the fluid [Pa s].
         solidus, liquidus: melting range [K]; one temperature for a pure substance, whose latent heat is that between
@@ -24,8 +27,9 @@ class Material:
         source: where the numbers come from.
 
     Raises:
-        InputError: a density is not positive, a conductivity or a viscosity is negative, a curve does not rise, or it
-            is flat elsewhere than at the melting point of a pure substance.
+        InputError: a density, heat capacity or conductivity is not from 1e-6 to 1e9 (a conductivity may be 0), a
+            viscosity is negative, a curve does not rise, or it is flat elsewhere than at the melting point of a pure
+            substance.
     """
 
     name: str
@@ -41,23 +45,32 @@ class Material:
 
     def __post_init__(self) -> None:
         self._refuse_unless(isinstance(self.name, str) and self.name != "", "name", "a text")
-        self._refuse_unless(0.0 < number(self.density) < np.inf, "density", "positive [kg/m^3]")
-        for label in ("conductivity_solid", "conductivity_liquid", "viscosity"):
-            unit = "Pa s" if label == "viscosity" else "W/(m K)"
-            self._refuse_unless(0.0 <= number(getattr(self, label)) < np.inf, label, f"zero or positive [{unit}]")
+        within = f"from {SMALLEST:g} to {LARGEST:g}"
+        self._refuse_unless(SMALLEST <= number(self.density) <= LARGEST, "density", f"{within} [kg/m^3]")
+        for label in ("conductivity_solid", "conductivity_liquid"):
+            conductivity = number(getattr(self, label))
+            plausible = conductivity == 0.0 or SMALLEST <= conductivity <= LARGEST
+            self._refuse_unless(plausible, label, f"zero, or {within} [W/(m K)]")
+        self._refuse_unless(0.0 <= number(self.viscosity) < np.inf, "viscosity", "zero or positive [Pa s]")
         for label in ("solidus", "liquidus"):
             self._refuse_unless(bool(np.isfinite(number(getattr(self, label)))), label, "a number [K]")
         for label, nodes in (("temperatures", self.temperatures), ("enthalpies", self.enthalpies)):
             several = isinstance(nodes, Sequence | np.ndarray)
             finite = several and bool(np.all(np.isfinite([number(node) for node in nodes])))
             self._refuse_unless(finite, label, "finite numbers")
-            rises = np.diff(nodes) > 0.0
+            rises = np.diff(np.asarray(nodes, np.float32)) > 0.0
             if label == "temperatures" and self.is_pure:
                 rises |= np.asarray(nodes[:-1]) == self.solidus
             if len(nodes) < 2 or not np.all(rises):
-                raise InputError(f"material {self.name}: {label} need two or more nodes that rise strictly")
+                raise InputError(
+                    f"material {self.name}: {label} need two or more nodes that rise strictly, in single precision too"
+                )
         if len(self.temperatures) != len(self.enthalpies):
             raise InputError(f"material {self.name}: as many temperatures as enthalpies are needed")
+        with np.errstate(divide="ignore"):
+            capacity = float(np.min(np.diff(self.enthalpies) / np.diff(self.temperatures)))
+        if not SMALLEST <= capacity <= LARGEST:
+            raise InputError(f"material {self.name}: a heat capacity of {capacity:g}: must be {within} [J/(kg K)]")
         if not self.solidus <= self.liquidus:
             raise InputError(
                 f"material {self.name}: solidus {self.solidus} K must not lie above liquidus {self.liquidus} K"
@@ -88,6 +101,17 @@ class Material:
     def enthalpy(self, temperature: float | np.ndarray) -> np.ndarray:
         """Specific enthalpy [J/kg] at a temperature [K]; that of the liquid where a pure substance melts."""
         return _piecewise_linear(temperature, self.temperatures, self.enthalpies)
+
+    def start_enthalpy(self, temperature: np.ndarray, is_solid: np.ndarray) -> np.ndarray:
+        """Specific enthalpies (n,) [J/kg] at temperatures (n,) [K]; ``is_solid`` decides where a pure substance melts.
+
+        There the temperature stands for all the latent heat. Compared in single precision, in which it is kept.
+        """
+        enthalpy = self.enthalpy(temperature)
+        if not self.is_pure:
+            return enthalpy
+        melts = np.asarray(temperature, np.float32) == np.float32(self.solidus)
+        return np.where(melts, np.where(is_solid, *self.melting_enthalpies), enthalpy)
 
     def temperature(self, enthalpy: float | np.ndarray) -> np.ndarray:
         """Temperature [K] at a specific enthalpy [J/kg]."""

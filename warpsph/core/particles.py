@@ -52,7 +52,8 @@ class Particles:
             material: name of one of the model's materials, or one name each; None is the only one that the model has.
             velocity: (3,) or (n, 3) [m/s].
             phase: those whose phase is solid are bonded as they stand where the model is elastic; a phase change may
-                melt them later.
+                melt them later. At the melting point of a pure substance it says whether the latent heat is there;
+                elsewhere the temperature decides.
             volume: [m^3], or [m^2] in 2D; 0 for a cell of the lattice.
             flows: whether they count in the sums of the fluid.
             fields: values of any field that a term of the model declares, by its name: ``temperature`` [K]; ``held``,

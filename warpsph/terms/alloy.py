@@ -9,18 +9,20 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Field
+from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import DivergenceError, InputError, number, require
+from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.alloy import SUM_ALLOY_HEAT, AlloyTable, add_alloy_heat, find_alloy_state, find_fractions
 from warpsph.kernels.heat.freezing import freeze, gather_ice
 from warpsph.kernels.heat.walls import count_heat
 from warpsph.terms.alloy_equations import AlloyEquations
+from warpsph.terms.alloy_limits import refuse_full_walls, refuse_start, report_beyond
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.heat_wall import HeatWall
 from warpsph.terms.implicit_heat import ImplicitHeat
@@ -92,8 +94,10 @@ class Alloy(Term):
     solute_mass = Solute.solute_mass
     liquid_mass = Solute.liquid_mass
     liquid_fraction = Solute.liquid_fraction
-    ice_temperature = Field(float, "K", "temperature of the ice", start=293.15, written=True, colours="inferno")
-    ice_mass = Field(wp.float64, "kg", "mass of ice (per metre of depth in 2D)")
+    ice_temperature = Field(
+        float, "K", "temperature of the ice", start=293.15, least=0.0, written=True, colours="inferno"
+    )
+    ice_mass = Field(wp.float64, "kg", "mass of ice (per metre of depth in 2D)", least=0.0)
     liquid_heat = Field(wp.float64, "J", "heat of the liquid (per metre of depth in 2D)")
     ice_heat = Field(wp.float64, "J", "heat of the ice (per metre of depth in 2D)")
     heat_freed = Field(wp.float64, "J", "heat that freezing has set free (per metre of depth in 2D)")
@@ -115,6 +119,11 @@ class Alloy(Term):
         ice_temperature = np.where(
             particles.was_given("ice_temperature"), fields["ice_temperature"], fields["temperature"]
         )
+        there = particles.role != Role.RESERVOIR
+        real = {name: values[there] for name, values in fields.items()}
+        refuse_start(self.liquidus, self.ice.density, particles.position[there], volume[there], real)
+        ratio = model.materials[0].density / self.ice.density
+        refuse_full_walls(self.walls, self.liquidus, ratio, model.support, particles.position[there], real)
         capacity_liquid, capacity_ice = _capacity(model.materials[0]), _capacity(self.ice)
         reference = self.liquidus.temperatures[0]
         return {
@@ -185,13 +194,7 @@ class Alloy(Term):
         return {} if self.implicit is None else self.implicit.summary()
 
     def check(self, state: State) -> None:
-        bad = np.flatnonzero(~np.isfinite(state.numpy("liquid_heat") + state.numpy("ice_heat")))
-        if len(bad):
-            place = ", ".join(f"{x:.4g}" for x in state.numpy("position")[bad[0]])
-            raise DivergenceError(
-                f"the heat of particle {state.numpy('id')[bad[0]]} at ({place}) m is not a number before "
-                f"t = {float(state.time.numpy()[0]):.6g} s"
-            )
+        report_beyond(state, self.liquidus)
 
     @property
     def implicit(self) -> ImplicitHeat | None:

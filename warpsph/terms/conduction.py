@@ -9,6 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Field
+from warpsph.core.labels import Phase
 from warpsph.core.lattice import Lattice
 from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
@@ -29,6 +30,7 @@ from warpsph.terms.profile import Profile, on_device
 
 MOST_WALLS = 30  # a bit each
 DEFAULT_INTERVAL = 1.0e-3  # [s]
+ROUNDING = 1.0e-3  # of the highest temperature, by which one may be below 0 K
 
 # Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what lattices bear, H = 2 to 3 dx.
 STABLE = {
@@ -88,7 +90,7 @@ class Conduction(Term):
 
     provides = ("conduction", "temperature")
 
-    temperature = Field(float, "K", "temperature", start=293.15, written=True, colours="inferno")
+    temperature = Field(float, "K", "temperature", start=293.15, least=0.0, written=True, colours="inferno")
     enthalpy = Field(float, "J/kg", "specific enthalpy", compensated=True, written=True, colours="inferno")
     solid_fraction = Field(float, "", "solid fraction", written=True, colours="YlGnBu")
     conductivity = Field(float, "W/(m K)", "thermal conductivity")
@@ -101,7 +103,15 @@ class Conduction(Term):
         enthalpy = np.zeros(len(particles))
         for index, substance in enumerate(model.materials):
             mine = fields["material"] == index
-            enthalpy[mine] = substance.enthalpy(fields["temperature"][mine])
+            is_solid = fields["phase"][mine] == Phase.SOLID
+            enthalpy[mine] = substance.start_enthalpy(fields["temperature"][mine], is_solid)
+            colder = mine & particles.was_given("enthalpy") & (fields["enthalpy"] < substance.enthalpy(0.0))
+            if np.any(colder):
+                given = np.min(fields["enthalpy"][colder])
+                raise InputError(
+                    f"particles: 'enthalpy' = {given:g} J/kg: must not be below that of {substance.name} at 0 K, "
+                    f"{substance.enthalpy(0.0):g} J/kg"
+                )
         volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
         refuse_misfits(self.walls, self.lattice(model), particles.position)
         return {"enthalpy": enthalpy, "thermal_volume": volume}
@@ -188,13 +198,21 @@ class Conduction(Term):
         return {} if self.implicit is None else self.implicit.summary()
 
     def check(self, state: State) -> None:
-        bad = np.flatnonzero(~np.isfinite(state.numpy("enthalpy")))
-        if len(bad):
-            place = ", ".join(f"{x:.4g}" for x in state.numpy("position")[bad[0]])
-            raise DivergenceError(
-                f"the enthalpy of particle {state.numpy('id')[bad[0]]} at ({place}) m is not a number before "
-                f"t = {float(state.time.numpy()[0]):.6g} s"
-            )
+        enthalpy, temperature = state.numpy("enthalpy"), state.numpy("temperature")
+        none, below = ~np.isfinite(enthalpy), temperature < -ROUNDING * np.max(temperature)
+        if not np.any(none | below):
+            return
+        i = np.flatnonzero(none if np.any(none) else below)[0]
+        place = ", ".join(f"{x:.4g}" for x in state.numpy("position")[i])
+        found = (
+            "its enthalpy is not a number"
+            if none[i]
+            else f"it has {temperature[i]:.4g} K, below 0 K: more heat is taken from it than it holds; weaken the "
+            "sinks or fluxes that take it, or take it for a shorter time"
+        )
+        raise DivergenceError(
+            f"particle {state.numpy('id')[i]} at ({place}) m, before t = {float(state.time.numpy()[0]):.6g} s: {found}"
+        )
 
     @property
     def implicit(self) -> ImplicitHeat | None:

@@ -66,7 +66,7 @@ class HeatWall:
         conductance = number(self.conductance)
         allowed = f"zero, positive up to {LARGEST:g}, or infinite [W/(m^2 K)]"
         require(self, "conductance", 0.0 <= conductance <= LARGEST or conductance == np.inf, allowed)
-        require(self, "outside", abs(number(self.outside)) <= LARGEST, "a temperature [K]")
+        require(self, "outside", 0.0 <= number(self.outside) <= LARGEST, "a temperature [K], from 0 K up")
         require(self, "flux", abs(number(self.flux)) <= LARGEST, "a number [W/m^2]")
         given_twice = conductance == np.inf and self.flux != 0.0
         require(self, "flux", not given_twice, "zero where the temperature of the surface is given")

@@ -1,11 +1,12 @@
 """The liquidus of a binary alloy, and where it ends."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from warpsph.errors import number, require
+from warpsph.errors import InputError, number, require, shown
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +22,7 @@ class Liquidus:
     temperatures: Sequence[float]
 
     def __post_init__(self) -> None:
-        C, T = (np.array([number(v) for v in values]) for values in (self.concentrations, self.temperatures))
+        C, T = _numbers(self.concentrations), _numbers(self.temperatures)
         several = len(C) >= 2 and bool(np.all(np.isfinite(C)))
         rising = several and C[0] == 0.0 and C[-1] < 1.0 and bool(np.all(np.diff(C) > 0.0))
         require(self, "concentrations", rising, "two or more mass fractions that rise strictly, from 0 to less than 1")
@@ -34,6 +35,13 @@ class Liquidus:
 
         ``slope`` is Gamma [K] of Monaghan et al. (2005), by how much it falls over a unit of concentration.
         """
+        for name, value, holds, allowed in (
+            ("pure", pure, 0.0 < number(pure) < np.inf, "a temperature [K]"),
+            ("lowest", lowest, 0.0 < number(lowest) < number(pure), "a temperature [K] below that of the pure solvent"),
+            ("slope", slope, number(pure) - number(lowest) < number(slope) < np.inf, "more than pure - lowest [K]"),
+        ):
+            if not holds:
+                raise InputError(f"Liquidus.straight: {name} = {shown(value)}: must be {allowed}")
         return cls((0.0, (pure - lowest) / slope), (pure, lowest))
 
     @property
@@ -48,3 +56,9 @@ class Liquidus:
     def concentration(self, temperature: float | np.ndarray) -> np.ndarray:
         """Of the liquid that is in equilibrium with ice at a temperature [K]; 0 above the first node."""
         return np.asarray(np.interp(temperature, self.temperatures[::-1], self.concentrations[::-1]))
+
+
+def _numbers(values: Any) -> np.ndarray:
+    """Values as numbers, NaN for those that are none; nothing where they are no sequence."""
+    listed = isinstance(values, Iterable) and not isinstance(values, str)
+    return np.array([number(value) for value in values] if listed else [])

@@ -46,9 +46,9 @@ class Solute(Term):
     provides = ("solute",)
 
     solute = Field(float, "", "mass fraction of solute in the liquid", written=True)
-    solute_mass = Field(wp.float64, "kg", "mass of solute (per metre of depth in 2D)")
+    solute_mass = Field(wp.float64, "kg", "mass of solute (per metre of depth in 2D)", least=0.0)
     solute_rate = Field(float, "kg/s", "solute gained in unit time (per metre of depth in 2D)", kept=False)
-    liquid_mass = Field(wp.float64, "kg", "mass of liquid (per metre of depth in 2D)")
+    liquid_mass = Field(wp.float64, "kg", "mass of liquid (per metre of depth in 2D)", least=0.0)
     liquid_fraction = Field(float, "", "volume fraction of liquid", start=1.0)
     thermal_volume = Conduction.thermal_volume
 

@@ -102,6 +102,28 @@ def test_what_is_undercooled_freezes_back_to_its_liquidus(device, dimension, liq
     np.testing.assert_allclose(after["ice_temperature"][after["ice_mass"] > 0.0], T[0], atol=1e-4)
 
 
+@pytest.mark.parametrize("liquidus", [STRAIGHT, BENT], ids=["straight", "bent"])
+@pytest.mark.parametrize("C", [0.0999999999999999, 0.1, C_0])
+def test_liquid_that_is_a_rounding_below_its_liquidus_freezes_a_rounding(device, liquidus, C):
+    """If it failed, a mush in equilibrium would become a place of numbers that are none."""
+    sim = simulation(device, liquidus=liquidus, solute=C, temperature=float(liquidus.temperature(C)))
+    sim.solver.prepare()
+    start = sim.snapshot()
+    lost = np.geomspace(1e-16, 1e-4, sim.state.count) * np.abs(start["liquid_heat"])
+    sim.state.liquid_heat.assign((start["liquid_heat"] - lost)[sim.state.numpy("id")])
+    before = sim.snapshot()
+    sim.solver.act("after_heat")
+    sim.solver.act("find_temperature")
+    after = sim.snapshot()
+    assert np.all(np.isfinite(after["liquid_heat"]))
+    assert np.all(after["ice_mass"] >= 0.0)
+    assert heat(after) == pytest.approx(heat(before), abs=1e-13 * np.abs(before["liquid_heat"]).sum())
+    frozen = (before["liquid_mass"] - after["liquid_mass"])[-1] / before["liquid_mass"][0]
+    G = (liquidus.temperature(C) - liquidus.temperature(C + 1e-6)) / 1e-6
+    expected = lost[-1] / before["liquid_mass"][0] / (L + G * C * C_LIQUID)  # a step so small that all is linear
+    assert frozen == pytest.approx(expected, rel=1e-3)
+
+
 def test_fractions_of_even_ice(device):
     """If it failed, walls would take ice away from the sums of volume fractions, or liquid would not fill the rest."""
     share = 0.3
@@ -221,6 +243,9 @@ def test_wrong_liquidus_and_model():
         ((0.1, 0.2), (270.0, 260.0)),
         ((0.0,), (270.0,)),
         ((0.0, 0.1), (270.0,)),
+        (0.1, (270.0, 260.0)),
+        ((0.0, 0.1), None),
+        ("abc", (270.0, 260.0)),
     ):
         with pytest.raises(InputError, match="strictly"):
             Liquidus(*curve)
@@ -232,6 +257,26 @@ def test_wrong_liquidus_and_model():
     particles.add(np.zeros((1, 3)), Role.FREE, "solution")
     with pytest.raises(InputError, match="2 materials; it needs a model of one"):
         Simulation(Executor("cpu"), model, particles)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ((273.15, 0.0, 255.0), "slope = 0.0: must be more than pure - lowest"),
+        ((273.15, -42.0, 255.0), "slope = -42.0: must be more than pure - lowest"),
+        ((273.15, 10.0, 255.0), "slope = 10.0: must be more than pure - lowest"),
+        ((273.15, "a", 255.0), "slope = 'a': must be"),
+        (("a", 42.0, 255.0), "pure = 'a': must be a temperature"),
+        ((np.nan, 42.0, 255.0), "pure = nan: must be a temperature"),
+        ((273.15, 42.0, 280.0), "lowest = 280.0: must be a temperature .K. below that of the pure solvent"),
+        ((273.15, 42.0, None), "lowest = None: must be a temperature"),
+    ],
+)
+def test_a_straight_liquidus_names_its_own_arguments(given, message):
+    """If it failed, somebody would be told of nodes that he has not given, or of a division by zero."""
+    with pytest.raises(InputError, match=f"Liquidus.straight: {message}") as caught:
+        Liquidus.straight(*given)
+    assert "\n" not in str(caught.value)
 
 
 def test_one_or_the_other_conducts():
@@ -253,5 +298,5 @@ def test_a_broken_run_is_noticed(device):
     values = sim.state.numpy("liquid_heat")
     values[3] = np.nan
     sim.state.liquid_heat.assign(wp.array(values, dtype=wp.float64, device=sim.state.device))
-    with pytest.raises(DivergenceError, match="heat of particle"):
+    with pytest.raises(DivergenceError, match="the heat is not a number"):
         sim.solver.check()

@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from warpsph.core.executor import Executor
 from warpsph.errors import InputError
 from warpsph.scenarios.breakout.breakout import Breakout
 from warpsph.scenarios.casting.casting import Casting
@@ -43,6 +44,12 @@ def test_what_holds_is_not_refused():
     """The presets are known to hold."""
     for case in (Casting(), Casting(spacing=0.002), Breakout(), Casting(casting_speed=0.012)):
         refuse_what_cannot_hold(case)
+
+
+def test_water_that_takes_more_heat_than_there_is_is_refused():
+    """If it failed, the strand of the start would be below 0 K, or a word of particles would not say why."""
+    with pytest.raises(InputError, match=r"spray_flux = 1.2: the strand of the start would fall to -[\d.]+ K; less"):
+        Casting(spray_flux=1.2).build(Executor("cpu"))
 
 
 def test_it_is_refused_before_anything_is_made():

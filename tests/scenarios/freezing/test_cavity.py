@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from warpsph.errors import InputError
-from warpsph.scenarios.freezing.cavity import Cavity, inside, outline
+from warpsph.scenarios.freezing.cavity import Cavity, area, inside, outline
 
 
 def test_points_inside_a_polygon():
@@ -12,10 +12,8 @@ def test_points_inside_a_polygon():
     square = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)])
     points = np.array([(0.5, 0.5), (0.01, 0.99), (1.2, 0.5), (-0.1, 0.5), (0.5, 1.5), (-0.5, 0.0)])
     assert list(inside(points, square)) == [True, True, False, False, False, False]
-    x, y = outline().T
-    area = 0.5 * abs(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)))
     grid = np.stack(np.meshgrid(*[np.linspace(-0.6, 0.6, 600, endpoint=False) + 0.001] * 2), -1).reshape(-1, 2)
-    assert np.mean(inside(grid, outline())) * 1.2**2 == pytest.approx(area, rel=1e-3)
+    assert np.mean(inside(grid, outline())) * 1.2**2 == pytest.approx(area(outline()), rel=1e-3)
 
 
 def test_it_freezes_around_the_sinks_and_upwards(device):
@@ -43,6 +41,7 @@ def test_every_check_passes():
     [
         ({"start": 273.0}, "start = 273.0 K: must lie above melting"),
         ({"sink_x": 0.4, "sink_y": 0.3}, "a sink must lie in the cavity"),
+        ({"strength": 2000.0}, "strength = 2000 W/m: by the end both sinks have taken more heat .*; 38.* W/m at most"),
     ],
 )
 def test_wrong_input_is_refused_in_one_line(changes, words):

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.special import erf
 
 from warpsph.scenarios.freezing.line_sink import LineSink
 from warpsph.scenarios.freezing.neumann import Neumann
@@ -47,6 +48,19 @@ def test_the_plane_takes_the_heat_of_its_gradient():
     times = np.linspace(0.01, 0.05, 4001)
     flux = [float(solution.temperature(np.array([1e-6]), t)[0] - solution.plane) / 1e-6 for t in times]
     assert solution.heat(0.05) - solution.heat(0.01) == pytest.approx(np.trapezoid(flux, times), rel=1e-4)
+
+
+@pytest.mark.parametrize("conductivity", [1e-3, 1e-5, 1e-9])
+def test_melt_that_hardly_conducts_has_a_plane_too(conductivity):
+    """If it failed, zero would be divided by zero; the less the melt conducts, the thinner its layer."""
+    solution = Neumann(0.5, 1.0, 1.2, **(ONE | {"conductivity_liquid": conductivity}))
+    thin = 0.2 * 0.5 * np.sqrt(np.pi)  # of the layer, per latent heat: start - melting times lambda sqrt(pi)
+    limit = 1.0 - erf(0.5) * np.exp(0.25) * (0.5 * np.sqrt(np.pi) + thin)
+    assert solution.plane == pytest.approx(limit, abs=2.0 * conductivity)
+    front = float(solution.front(0.05))
+    T = solution.temperature(front * np.array([0.0, 1.0, 1.0 + 20.0 * conductivity, 2.0]), 0.05)
+    assert T[[0, 1, 3]] == pytest.approx([solution.plane, 1.0, 1.2])
+    assert 1.0 < T[2] < 1.2
 
 
 def test_published_numbers():

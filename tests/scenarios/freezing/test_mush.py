@@ -67,6 +67,22 @@ def test_limits():
     assert np.all(np.isnan(impossible.temperature(np.array([0.01]), 1e4)))
 
 
+@pytest.mark.parametrize(
+    ("given", "front"),
+    [
+        ({"density_ice": 1097.0, "concentration": 0.02}, 0.1195),  # particles: 0.112 m with 30 rows
+        ({"density_ice": 1097.0, "concentration": 0.05}, 0.1128),
+        ({"concentration": 0.89, "liquidus_slope": 1e3, "melting_point": 1e3, "eutectic": 1.0, "cold": 2.0}, 0.0795),
+        ({"warm": 330.0}, 0.0521),
+    ],
+)
+def test_the_front_meets_the_wall(given, front):
+    """If it failed, the edge of where an integration gets through would be taken for the front."""
+    case = SodiumNitrate(**given)
+    assert case.exact.front(91800.0) == pytest.approx(front, abs=2e-4)
+    assert float(case.exact.temperature(np.array([0.0]), 91800.0)[0]) == pytest.approx(case.cold, abs=1e-5)
+
+
 def test_conduction_as_printed():
     """If it failed, (4.2) would be blamed for too much or too little; the ratio by another program."""
     still = replace(MUSH, diffusivity=0.0)

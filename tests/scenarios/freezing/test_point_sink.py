@@ -3,7 +3,7 @@
 import pytest
 
 from warpsph.cases.case import preset_layer, resolve
-from warpsph.errors import InputError
+from warpsph.errors import DivergenceError, InputError
 from warpsph.scenarios.freezing.point_sink import TABLE, PointSink
 
 
@@ -44,3 +44,18 @@ def test_water_that_starts_frozen_is_refused():
     with pytest.raises(InputError, match=r"start = 270.0 K: must lie above melting, 273.15 K") as caught:
         PointSink(start=270.0)
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("similarity", [0.5, 2.0])
+def test_sinks_that_would_take_all_heat_are_refused(similarity):
+    """If it failed, a run would go on below 0 K."""
+    with pytest.raises(
+        InputError, match=r"has fallen to -.* K at a smoothing length, 0.0256 m, from the sink; a small"
+    ):
+        PointSink(similarity=similarity)
+
+
+def test_a_run_that_falls_below_zero_is_stopped(device):
+    """If it failed, temperatures that do not exist would be written; the exact solution has 13 K at h yet."""
+    with pytest.raises(DivergenceError, match=r"it has -.* K, below 0 K: more heat is taken from it than it holds"):
+        PointSink(similarity=0.43, output_interval=2e4).run(device=device)

@@ -53,6 +53,16 @@ def test_threads_and_stops_change_nothing():
         np.testing.assert_array_equal(stopped.fields[name], whole.fields[name])
 
 
+def test_what_has_frozen_stays_in_equilibrium():
+    """If it failed, a box that has come to rest would end in numbers that are none."""
+    case = SodiumNitrate(height=0.05, columns=4, rows=8, duration=1e5, output_interval=1e4)
+    result = case.run(device="cpu")
+    ice, heat, taken = (result.diagnostics[name] for name in ("ice_mass", "heat", "heat_taken"))
+    assert ice[-1] == pytest.approx(ice[-2], rel=1e-4)
+    assert heat[-1] - heat[0] == pytest.approx(-taken[-1], rel=1e-6)
+    assert result.fields["temperature"] == pytest.approx(case.cold, abs=1e-3)
+
+
 def test_conduction_as_printed_thickens_the_mush(narrow):
     """If it failed, the option would not show what is wrong with (4.2)."""
     _, result = narrow

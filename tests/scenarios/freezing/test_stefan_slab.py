@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from warpsph.cases.case import preset_layer, resolve
+from warpsph.core.executor import Executor
 from warpsph.errors import InputError
 from warpsph.scenarios.freezing.numerics import Phases
 from warpsph.scenarios.freezing.stefan_slab import StefanSlab
@@ -39,6 +40,31 @@ def test_the_default(device, presets):
     lost += slab.heat_capacity_solid * (slab.melting - slab.exact.plane)
     half_row = 0.5 * slab.spacing * slab.density * lost  # on the face, cold from the start
     assert taken + half_row == pytest.approx(slab.exact.heat(result.time), rel=0.02)
+
+
+def test_water(device):
+    """If it failed, the slab would have one height only, or one kind of substance; ice 8 cm thick in half a day."""
+    slab = case("water")
+    result = slab.run(device=device)
+    assert [check for check in slab.checks(result) if not check.passed] == []
+    assert result.diagnostics["exact_front"][-1] == pytest.approx(0.0821, abs=1e-4)
+
+
+def test_the_same_slab_in_another_size(device):
+    """If it failed, a length of one metre would be left somewhere: twice the height takes four times as long."""
+    slabs = [case(height=size, duration=size**2 * 0.02, output_interval=size**2 * 0.02) for size in (1.0, 2.0)]
+    one, two = (slab.run(device=device).diagnostics for slab in slabs)
+    assert two["front"][-1] == pytest.approx(2.0 * one["front"][-1], rel=1e-5)
+    assert two["temperature_error"][-1] == pytest.approx(one["temperature_error"][-1], rel=1e-3)
+    for name in ("heat", "heat_cold", "heat_warm"):  # a breadth of so many columns, a height: the square
+        assert two[name][-1] == pytest.approx(4.0 * one[name][-1], rel=1e-4, abs=1e-4)
+
+
+@pytest.mark.parametrize("name", ["density", "conductivity_liquid", "latent_heat"])
+def test_numbers_that_single_precision_loses_are_refused(name):
+    """If it failed, a run would divide zero by zero and leave a file of numbers that are none."""
+    with pytest.raises(InputError, match=r"must be (zero, or )?from 1e-06 to 1e\+09|in single precision"):
+        case(**{name: 1e-300}).build(Executor("cpu"))
 
 
 def test_both_ways_of_latent_heat_agree_where_phases_conduct_alike(device):

@@ -62,3 +62,13 @@ def test_a_plane_has_no_depth_to_cut(ingot):
     outcome = ingot("render", "ingot.vtkhdf", "--cut", "z=0.03")
     assert outcome.code == 2
     assert "two-dimensional" in outcome.error
+
+
+def test_only_the_file_and_the_scenario_bound_times(ingot):
+    """If it failed, frames of a run of weeks could not be drawn, nor its duration be given by an option."""
+    outcome = ingot("render", "ingot.vtkhdf", "--time", "2e7")
+    assert outcome.code == 2
+    assert "--time 2e+07: ingot.vtkhdf holds 0 to " in outcome.error
+    outcome = ingot("run", "ingot", "--until", "2e7")
+    assert outcome.code == 2
+    assert "ingot: duration = 20000000.0" in outcome.error

@@ -65,7 +65,10 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     ),
     *((lambda x=x: HeatWall.insulated((1.0, 0.0, 0.0), x), "HeatWall: offset") for x in (NAN, INFINITE)),
     *((lambda h=h: HeatWall.film((1.0, 0.0, 0.0), 0.0, h, 300.0), "HeatWall: conductance") for h in (-1.0, NAN)),
-    *((lambda T=T: HeatWall.at_temperature((1.0, 0.0, 0.0), 0.0, T), "HeatWall: outside") for T in (NAN, INFINITE)),
+    *(
+        (lambda T=T: HeatWall.at_temperature((1.0, 0.0, 0.0), 0.0, T), "HeatWall: outside")
+        for T in (NAN, INFINITE, -1.0)
+    ),
     *((lambda q=q: HeatWall.given_flux((1.0, 0.0, 0.0), 0.0, q), "HeatWall: flux") for q in (NAN, INFINITE)),
     (lambda: ColourFieldTension(NAN), "ColourFieldTension: coefficient"),
     *((lambda d=d: Model(d, 0.1, WATER), "Model: dimension") for d in (4, "2", [2], None)),

@@ -128,3 +128,29 @@ def test_a_pure_substance_takes_its_latent_heat_at_one_temperature():
     assert ice.temperature([frozen - 2090.0, molten + 4190.0]) == pytest.approx([272.15, 274.15])
     assert ice.enthalpy([272.15, 273.15, 274.15]) == pytest.approx([frozen - 2090.0, molten, molten + 4190.0])
     assert list(ice.solid_fraction([273.0, 273.15, 273.3])) == [1.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"density": 1e-300}, r"density = 1e-300: must be from 1e-06 to 1e\+09"),
+        ({"density": 1e30}, r"density = 1e\+30: must be from"),
+        ({"heat_capacity": 1e-300}, "single precision"),
+        ({"heat_capacity": 1e-7, "latent_heat": 1e-3}, r"a heat capacity of 1e-07: must be from 1e-06 to 1e\+09"),
+        ({"conductivity_liquid": 1e-300}, "conductivity_liquid = 1e-300: must be zero, or from"),
+        ({"latent_heat": 1e-9}, "enthalpies need two or more nodes that rise strictly, in single precision"),
+        (
+            {"solidus": 273.149999, "latent_heat": 1e5},
+            "temperatures need two or more nodes that rise strictly, in single",
+        ),
+    ],
+)
+def test_numbers_that_single_precision_would_lose_are_refused(change, words):
+    """If it failed, a difference or a quotient of such numbers would be none at all."""
+    numbers = {
+        "density": 1000.0, "heat_capacity": 2000.0, "latent_heat": 3e5, "solidus": 273.15, "liquidus": 273.15,
+        "conductivity_solid": 2.0, "conductivity_liquid": 0.6, "viscosity": 0.0, "source": "",
+    }  # fmt: skip
+    with pytest.raises(InputError, match=f"material ice: .*{words}") as caught:
+        melting_material("ice", **(numbers | change))
+    assert "\n" not in str(caught.value)

@@ -16,7 +16,7 @@ from warpsph.core.executor import Executor
 from warpsph.run.simulation import Simulation
 
 SMALL: dict[str, Callable[[], dict[str, Any]]] = {
-    "casting": lambda: {"duration": 0.06, "output_interval": 0.02, "spray_flux": 1.2},
+    "casting": lambda: {"duration": 0.06, "output_interval": 0.02, "spray_flux": 0.8},
     "breakout": lambda: {"duration": 0.06, "output_interval": 0.02, "spray_failure": 0.03},
     "dam_break": lambda: {"columns": 8, "duration": 0.1, "output_interval": 0.02},
     "hydrostatic": lambda: {"rows": 20, "columns": 10, "duration": 0.05, "output_interval": 0.01},
