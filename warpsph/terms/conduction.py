@@ -21,12 +21,13 @@ from warpsph.errors import DivergenceError, InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import CONDUCTING, SUM_HEAT, ThermalTable, add_heat, update_temperature
 from warpsph.kernels.heat.implicit_conduction import supply_no_heat
-from warpsph.kernels.heat.walls import ADD_HEAT_OF_IMAGES, HeatWalls, count_heat, find_walls_near
+from warpsph.kernels.heat.walls import ADD_HEAT_OF_IMAGES, count_heat, find_walls_near
 from warpsph.terms.conduction_equations import ConductionEquations
-from warpsph.terms.heat_wall import LARGEST, NUMBERS, SLACK, HeatWall, refuse_misfits
+from warpsph.terms.heat_wall import LARGEST, HeatWall, refuse_misfits
 from warpsph.terms.implicit_heat import ImplicitHeat
 from warpsph.terms.integrators import EXPLICIT, INTEGRATORS, NO_LIMIT, Explicit, Implicit, Integrator
-from warpsph.terms.profile import Profile, on_device
+from warpsph.terms.profile import on_device
+from warpsph.terms.walls_on_device import hold_walls, profiles_of, walls_on_device
 
 MOST_WALLS = 30  # a bit each
 DEFAULT_INTERVAL = 1.0e-3  # [s]
@@ -117,33 +118,20 @@ class Conduction(Term):
         return {"enthalpy": enthalpy, "thermal_volume": volume}
 
     def allocate(self, model: Model, state: State) -> None:
-        def hold(name: str, array: wp.array, scratch: bool = False) -> None:
-            self.arrays[name] = state.hold(f"conduction.{name}", array, scratch)
-
         if isinstance(self.integrator, Explicit) and not self.walls:
             return
         if "_implicit" in self.__dict__ or self.arrays:
             raise InputError("this Conduction belongs to another simulation already; make a new one")
         if isinstance(self.integrator, Implicit):
             self.__dict__["_implicit"] = ImplicitHeat(self.integrator, self._equations(model), state)
-        if not self.walls:
-            return
-        each = (len(self.walls), state.count)
-        for name in NUMBERS:
-            given = [getattr(wall, name) for wall in self.walls]
-            hold(f"wall_{name}", wp.array(given, dtype=float, device=state.device))
-            if self._profiles:
-                hold(f"wall_{name}_at", wp.zeros(each, dtype=float, device=state.device), scratch=True)
-        hold("wall_heat", wp.zeros(each, dtype=wp.float64, device=state.device))
-        hold("wall_rate", wp.zeros(each, dtype=float, device=state.device), scratch=True)
-        for name in ("near_walls", "behind_walls"):
-            hold(name, wp.zeros(state.count, dtype=int, device=state.device), scratch=True)
+        if self.walls:
+            self.arrays.update(hold_walls(self.walls, state))
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {
             "table": self._table(model, state.device),
-            "walls": self._planes(model, state),
-            "profiles": on_device(self._profiles, state.device),
+            "walls": walls_on_device(self.walls, self.arrays, model.spacing, state.count, state.device),
+            "profiles": on_device(profiles_of(self.walls), state.device),
         }
 
     def lattice(self, model: Model) -> Lattice:
@@ -260,7 +248,7 @@ class Conduction(Term):
             self.sharp_fronts,
             mixing=not kept,
             bend=not (kept or same),
-            change=any(len(profile.times) > 1 for profile in self._profiles),
+            change=any(len(profile.times) > 1 for profile in profiles_of(self.walls)),
             symmetric=all(wall.conductance in (0.0, np.inf) for wall in self.walls),
             walls=len(self.walls),
         )
@@ -279,34 +267,6 @@ class Conduction(Term):
                 raise InputError(f"Conduction: films: {pair[0]} and {pair[1]} have two different conductances")
             films[a, b] = films[b, a] = conductance * straight
         return films
-
-    @property
-    def _profiles(self) -> list[Profile]:
-        """The profiles of all walls, one after the other."""
-        return [wall.profiles[name] for wall in self.walls for name in NUMBERS if name in wall.profiles]
-
-    def _planes(self, model: Model, state: State) -> HeatWalls:
-        """The walls on the device."""
-        planes: Any = HeatWalls()
-        if self.walls:
-            planes.normal = wp.array([wall.normal for wall in self.walls], dtype=wp.vec3d, device=state.device)
-            planes.offset = wp.array([wall.offset for wall in self.walls], dtype=wp.float64, device=state.device)
-            planes.slack = SLACK * model.spacing
-            planes.rate, planes.taken = self.arrays["wall_rate"], self.arrays["wall_heat"]
-            planes.near, planes.behind = self.arrays["near_walls"], self.arrays["behind_walls"]
-            for name in NUMBERS:
-                one_each = self.arrays[f"wall_{name}"]
-                setattr(planes, name, one_each)
-                own = self.arrays[f"wall_{name}_at"] if self._profiles else _repeated(one_each, state.count)
-                setattr(planes, f"{name}_at", own)
-            planes.profile = self._tables(state.device)
-        return planes
-
-    def _tables(self, device: wp.Device) -> wp.array:
-        """Which profile each number of each wall has, (walls, 3), -1 where it has none; of no length without any."""
-        has = np.array([[name in wall.profiles for name in NUMBERS] for wall in self.walls])
-        tables = np.where(has, np.cumsum(has).reshape(has.shape) - 1, -1)
-        return wp.array(tables if has.any() else np.zeros((0, 3)), dtype=int, device=device)
 
     def _table(self, model: Model, device: wp.Device) -> ThermalTable:
         """Enthalpy curves, melting ranges, conductivities and films of all materials, on the device."""
@@ -330,17 +290,6 @@ class Conduction(Term):
         for name in ("solidus", "liquidus", "conductivity_solid", "conductivity_liquid"):
             setattr(table, name, wp.array([getattr(m, name) for m in model.materials], dtype=float, device=device))
         return table
-
-
-def _repeated(numbers: wp.array, count: int) -> wp.array:
-    """The same memory as a row (numbers, count), each number ``count`` times."""
-    return wp.array(
-        ptr=numbers.ptr,
-        shape=(len(numbers), count),
-        strides=(numbers.strides[0], 0),
-        dtype=numbers.dtype,
-        device=numbers.device,
-    )
 
 
 def _heat_capacities(material: Material) -> np.ndarray:
