@@ -153,15 +153,16 @@ def precondition(
 
 @wp.kernel
 def change_heat(first: int, end: wp.float64, neighbours: NeighbourList, rows: HeatRows, solution: ImplicitStep):
-    """Add to the heat what is lacking after the change of temperatures.
+    """Add to the heat what comes with the change of temperatures.
 
-    Where latent heat passes the temperature stays and the heat takes up all that comes.
+    Where latent heat passes the temperature stays and the heat takes up all that comes. Elsewhere it does not take up
+    what the linear solver has left: in a long step that would flow on many times.
     """
     u = wp.tid() + first
     added = wp.float64(0.0)
     if solution.capacity[u] != STILL:
         added = solution.capacity[u] * solution.change[u]
-        if solution.bound[u] == 0:
+        if not changes(solution.capacity[u]):
             added = solution.rest[u] + end * heat_gained(rows, neighbours, solution.change, u)
     solution.added[u] = added
     solution.heat[u] += added
