@@ -108,7 +108,8 @@ def count_conduction(
         walls.rate[p, id[i]] = float(rate)
         walls.taken[p, id[i]] += part * rate
     if held[i] != 0:
-        heat_held[i] += part * (heat_gained(rows, neighbours, solution.temperature, i) + rows.source[i])
+        gained = heat_gained(rows, neighbours, solution.temperature, i) + rows.source[i]
+        heat_held[i] += part * (gained + solution.supply[i])
 
 
 @wp.kernel

@@ -22,7 +22,7 @@ class ConductingScenario(Scenario):
         Stepping.EXPLICIT, "", "how steps of conduction are made: explicit, backward_euler, crank_nicolson"
     )
     step: float = parameter(
-        1e6, "s", "longest step of conduction; explicit ones are shorter where stability asks for it", gt=0, le=1e6
+        1e6, "s", "longest step of conduction; explicit ones are shorter where stability asks for it", ge=1e-9, le=1e6
     )
     damped_steps: int = parameter(
         2, "", "first steps of crank_nicolson that are two halves of backward_euler each", ge=0, le=1000

@@ -35,7 +35,7 @@ class Freezing(ConductingScenario):
         LONGEST_EXPLICIT,
         "",
         "time step over density heat_capacity h^2 / conductivity; 0.15 if explicit",
-        gt=0,
+        ge=1e-6,
         le=150,
     )
 

@@ -75,7 +75,8 @@ class Conduction(Term):
         given = self.longest_interval is not None
         require(self, "longest_interval", not given or number(self.longest_interval) > 0.0, "positive [s]")
         require(self, "integrator", isinstance(self.integrator, Integrator), INTEGRATORS)
-        if not (given or isinstance(self.integrator, Explicit)):
+        finite = given and np.isfinite(number(self.longest_interval))
+        if isinstance(self.integrator, Implicit) and not finite:
             raise InputError(f"Conduction: longest_interval: {NO_LIMIT}")
         allowed = "conductances [W/(m^2 K)] by pair of names of materials, as in {('steel', 'copper'): 1500.0}"
         require(self, "films", isinstance(self.films, dict), allowed)

@@ -58,7 +58,7 @@ class HeatWall:
                 raise InputError(
                     f"HeatWall: {name} = {shown(profile)}: none where the temperature of the surface is given"
                 )
-            lowest = 0.0 if name == "conductance" else -LARGEST
+            lowest = -LARGEST if name == "flux" else 0.0
             if profile.table.min() < lowest or profile.table.max() > LARGEST:
                 raise InputError(
                     f"HeatWall: {name} = {shown(profile)}: its values must be from {lowest:g} to {LARGEST:g}"

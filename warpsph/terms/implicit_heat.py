@@ -33,6 +33,7 @@ EACH_SYSTEM = 1.0e-3  # to which share of its right hand side a system is solved
 ENOUGH = 1.0e-9  # rest over the heat content where hardly anything moves any more: a millionth of a kelvin
 ROUNDING = 1.0e-15  # of what the equations are made of, in double precision
 HALVINGS = 6  # of a change that has made the rest larger
+MOST_PREPARED = 64  # launches of the linear solver that are kept ready; each length of a step has its own
 CHECK_EVERY = {True: 10, False: 1}  # iterations of a linear solver; on a GPU each look makes it wait for the host
 
 
@@ -257,6 +258,8 @@ class ImplicitHeat:
     def _multiply(self, kernel: wp.Kernel, x: wp.array, y: wp.array, z: wp.array, alpha: float, beta: float) -> None:
         key = (kernel.key, self._end, alpha, beta, x.ptr, y.ptr, z.ptr)
         if key not in self._prepared:
+            if len(self._prepared) >= MOST_PREPARED:
+                self._prepared.clear()
             given: dict[str, Any] = {"alpha": float(alpha), "beta": float(beta), "x": x, "y": y, "z": z}
             self._prepared[key] = self._launch.prepared(kernel, self._size, end=self._end, **given)
         self._prepared[key]()

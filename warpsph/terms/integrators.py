@@ -1,6 +1,8 @@
 """How conduction goes from one step with heat to the next: explicitly, or by solving for the end of the step."""
 
 from dataclasses import dataclass
+from numbers import Integral
+from typing import Any
 
 from warpsph.errors import number, require
 
@@ -24,8 +26,7 @@ class Implicit:
 
     def __post_init__(self) -> None:
         require(self, "tolerance", 1e-12 <= number(self.tolerance) <= 1e-2, "from 1e-12 to 1e-2")
-        whole = isinstance(self.most_iterations, int) and not isinstance(self.most_iterations, bool)
-        require(self, "most_iterations", whole and self.most_iterations >= 1, "a whole number, 1 or more")
+        require(self, "most_iterations", _whole(self.most_iterations, 1), "a whole number, 1 or more")
 
 
 @dataclass(frozen=True)
@@ -51,8 +52,11 @@ class CrankNicolson(Implicit):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        whole = isinstance(self.damped_steps, int) and not isinstance(self.damped_steps, bool)
-        require(self, "damped_steps", whole and self.damped_steps >= 0, "a whole number, 0 or more")
+        require(self, "damped_steps", _whole(self.damped_steps, 0), "a whole number, 0 or more")
+
+
+def _whole(value: Any, least: int) -> bool:
+    return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= least
 
 
 Integrator = Explicit | BackwardEuler | CrankNicolson

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -55,13 +56,15 @@ class Profile:
         times: Sequence[float] | np.ndarray = (),
     ) -> "Profile":
         """The values of ``function(place)``, of ``function(time)``, or of ``function(place, time)`` where both are."""
-        if not callable(function):
-            raise InputError(f"Profile: function = {function!r}: must be a function of the place, the time, or both")
-        if not len(times):
-            return cls([function(place) for place in places], places, along)
-        if not len(places):
-            return cls([function(time) for time in times], times=times)
-        return cls([[function(place, time) for place in places] for time in times], places, along, times)
+        shape = tuple(nodes for nodes in (places, times) if len(nodes))
+        try:
+            values = np.array([function(*point) for point in product(*shape)], float)
+        except (TypeError, ValueError) as error:
+            asked = " and the ".join(name for name, nodes in (("place", places), ("time", times)) if len(nodes))
+            raise InputError(
+                f"Profile: function = {function!r}: must be a function that gives a number for the {asked} ({error})"
+            ) from None
+        return cls(values.reshape([len(nodes) for nodes in shape]).T, places, along, times)
 
     @property
     def direction(self) -> tuple[float, ...]:
