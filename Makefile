@@ -2,7 +2,7 @@
 # make test       install with the test tools and run the quick tests
 # make validate   the long tests and every published number (hours)
 # make figures    draw every picture of the manual anew
-# make study      measure the tables of the parameter study anew
+# make study      measure the tables of the studies anew (hours)
 # make lint docs clean
 #
 # PYTHON=python3.12 make run   chooses the interpreter (3.11 or newer)
@@ -36,6 +36,7 @@ figures: .venv/installed-run graphics
 
 study: .venv/installed-run
 	$(BIN)/python docs/parameter_study.py
+	$(BIN)/python docs/conduction_study.py
 
 lint: .venv/installed-dev
 	$(BIN)/ruff check .

@@ -11,6 +11,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
+from conduction_figures import draw_cost, draw_steps
 from crystal_figures import draw_crystal_growth
 from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stefan
 from matplotlib.colors import LogNorm
@@ -276,6 +277,18 @@ def plate_errors(picture: Path) -> None:
             float(simulated(name, None, f"across={n}", *short).diagnostics["rms_error"][-1]) for n in counts
         ]
     draw_errors(runs, counts, orders, picture)
+
+
+@figure
+def conduction_steps(picture: Path) -> None:
+    """Errors of the integrators over the step, as ``make study`` has measured them."""
+    draw_steps(picture)
+
+
+@figure
+def conduction_cost(picture: Path) -> None:
+    """Processor time over the number of particles, as ``make study`` has measured it."""
+    draw_cost(picture)
 
 
 @figure

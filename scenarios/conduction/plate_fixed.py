@@ -20,6 +20,7 @@ from warpsph.scenarios.conduction.plate_checks import (
     order_check,
 )
 from warpsph.scenarios.conduction.plate_series import FixedPlate
+from warpsph.scenarios.conduction.plate_steps import step_checks
 from warpsph.scenarios.conduction.time_stepping import Stepping
 from warpsph.terms import HeatWall, cut_cells
 
@@ -74,16 +75,12 @@ class PlateFixed(CoolingPlate):
 
     @classmethod
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
-        """The default, as published with both figures' steps, implicit steps, and the order of convergence."""
+        """The default, as published with both figures' steps, implicit steps; orders in the spacing and in the step."""
         cases = [cls(), *(resolve(cls, [preset_layer(cls, preset)]) for preset in cls.presets)]
-        for integrator, step in (
-            (Stepping.CRANK_NICOLSON, 0.009),
-            (Stepping.CRANK_NICOLSON, 0.05),
-            (Stepping.BACKWARD_EULER, 0.05),
-        ):
-            cases.append(cls(integrator=integrator, step=step))
+        cases += [cls(integrator=integrator, step=step) for integrator, step in IMPLICIT_STEPS]
         for case in cases:
             yield from case.checks(simulate(case))
         yield order_check(
             cls(), simulate, "", 2.0, "smoothing error of second order, and steps that go with its square"
         )
+        yield from step_checks(cls, simulate, slow)

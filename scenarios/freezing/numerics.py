@@ -50,7 +50,8 @@ class Freezing(ConductingScenario):
     @property
     def method(self) -> str:
         """How it conducts, for the names of checks."""
-        return self.phases.value + ("" if self.exact_on_lattice else ", sum as published")
+        steps = "" if self.integrator is Stepping.EXPLICIT else f", {self.integrator.value}, step {self.step:g}"
+        return self.phases.value + ("" if self.exact_on_lattice else ", sum as published") + steps
 
     def longest_step(self, spacing: float, diffusivity: float) -> float:
         """Time step [s] for the highest diffusivity [m^2/s]."""

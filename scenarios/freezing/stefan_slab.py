@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from pydantic import model_validator
 
-from warpsph.cases.case import preset_layer, resolve
+from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
@@ -209,8 +209,10 @@ class StefanSlab(Freezing):
 
     @classmethod
     def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
-        """The default, as published, with unequal phases, by the curve alone; order of convergence from 20 to 160."""
-        for layers in ([], [preset_layer(cls, "paper")], [preset_layer(cls, "unequal")]):
+        """The default, as published, with unequal phases, long steps, the curve alone; order of convergence."""
+        paper, unequal = (preset_layer(cls, preset) for preset in ("paper", "unequal"))
+        long = settings_layer(["integrator=crank_nicolson", "step=1.5"])  # ten times the explicit one
+        for layers in ([], [paper], [unequal], [long], [unequal, long]):
             case = resolve(cls, layers)
             result = simulate(case)
             yield from case.checks(result)
@@ -218,7 +220,7 @@ class StefanSlab(Freezing):
                 yield from case._checks_as_published(result)
         case = cls(phases=Phases.CURVE)
         yield from case.checks(simulate(case))
-        for label, layers in (("", []), (", as published", [preset_layer(cls, "paper")])):
+        for label, layers in (("", []), (", as published", [paper])):
             counts = np.array([20, 40, 80, 160])
             case = resolve(cls, layers)
             runs = [simulate(case.model_copy(update={"particles": int(n), "columns": 6})) for n in counts]

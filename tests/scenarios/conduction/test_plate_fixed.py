@@ -7,6 +7,7 @@ from warpsph.cases.case import preset_layer, resolve
 from warpsph.errors import InputError
 from warpsph.scenarios.conduction.plate_checks import carried
 from warpsph.scenarios.conduction.plate_fixed import PlateFixed
+from warpsph.scenarios.conduction.plate_steps import step_checks
 
 
 def paper(**changes) -> PlateFixed:
@@ -43,6 +44,13 @@ def test_implicit_steps(device, integrator, step, expected):
     series = result.diagnostics
     found = [series["rms_error"][np.argmin(np.abs(series["time"] - time))] for time in (1.0, 4.0, 8.0)]
     assert found == pytest.approx(expected, abs=0.001)
+
+
+def test_long_steps(device):
+    """Otherwise an integrator would not have its order, or a step of 20 explicit ones would be off by more than 1 %."""
+    checks = list(step_checks(PlateFixed, lambda case: case.run(device=device), slow=False))
+    assert len(checks) == 5
+    assert [check for check in checks if not check.passed] == []
 
 
 def test_the_published_method_is_slow_by_the_area_of_its_particles(device):
