@@ -4,33 +4,10 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.neighbours.pairs import precise_difference
-from warpsph.kernels.solid.bonds import CHANGED, SMALLEST_VOLUME, UNCHANGED, BondList
+from warpsph.kernels.solid.bonds import BondList
+from warpsph.kernels.solid.strain import ElasticConstants, gradient_of_bonds
 
 wp.set_module_options({"enable_backward": False})
-
-# Of the eigenvalues of a moment matrix, which are 1 inside a body: the smallest over the largest, 0.3 in a corner of a
-# cube, 0 in a row or a pair; and the smallest, because its inverse is how much stiffer a particle of few bonds is made.
-WORST_CONDITION = wp.constant(0.1)
-SMALLEST_MOMENT = wp.constant(0.06)
-
-
-@wp.struct
-class ElasticConstants:
-    """Constants of the elastic solid.
-
-    ``lame_lambda``, ``lame_mu``, ``youngs_modulus`` [Pa]; ``hourglass`` strength of the hourglass control, and
-    ``shortest_squared`` [m^2] the square of the length below which a bond gets no stiffer by it;
-    ``corrected`` 1 where gradients are corrected by the moment matrix, 0 for the form as published; ``planar`` 1 in
-    2D, where the moment matrix has no third row.
-    """
-
-    lame_lambda: float
-    lame_mu: float
-    youngs_modulus: float
-    hourglass: float
-    shortest_squared: float
-    corrected: int
-    planar: int
 
 
 @wp.kernel
@@ -41,59 +18,6 @@ def settle_volume(
     i = wp.tid() + first
     if froze[i] != 0:
         body_volume[i] = mass[i] / density[i]
-
-
-@wp.kernel
-def invert_moments(
-    first: int,
-    elastic: ElasticConstants,
-    bonds: BondList,
-    body_volume: wp.array[float],
-    correction: wp.array[wp.mat33],
-):
-    """Renew every moment matrix after bonds have changed.
-
-    ``correction`` (n,) is the inverse of the moment matrix of each particle's bonds, the identity where these do not
-    span the space.
-    """
-    i = wp.tid() + first
-    if bonds.count[i] > 0:
-        moment = wp.mat33()
-        for b in range(bonds.count[i]):
-            place = i * bonds.capacity + b
-            X = bonds.separation[place]
-            moment -= wp.outer(X, X) * (body_volume[bonds.partner[place]] * bonds.slope[place])
-        if elastic.planar != 0:
-            moment[2, 2] = 0.5 * (moment[0, 0] + moment[1, 1])  # between the other two, so that it decides nothing
-        _, spread = wp.eig3(moment)
-        correction[i] = wp.identity(n=3, dtype=float)
-        smallest = wp.min(spread)
-        if elastic.corrected != 0 and smallest > wp.max(SMALLEST_MOMENT, WORST_CONDITION * wp.max(spread)):
-            correction[i] = wp.inverse(moment)
-
-
-@wp.func
-def deformation_of_bonds(
-    bonds: BondList,
-    i: int,
-    position: wp.array[wp.vec3],
-    position_carry: wp.array[wp.vec3],
-    body_volume: wp.array[float],
-    correction: wp.array[wp.mat33],
-) -> wp.mat33:
-    """Deformation gradient of a particle since its bonds were made.
-
-    Vijaykumar (2012), equations (4.6), (4.9), with the displacement gradient corrected by the moment matrix so that a
-    turned body feels no force.
-    """
-    gradient = wp.mat33()
-    for b in range(bonds.count[i]):
-        place = i * bonds.capacity + b
-        j = bonds.partner[place]
-        X = bonds.separation[place]
-        u_ij = X - precise_difference(position, position_carry, i, j)  # Vijaykumar (4.6)
-        gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
-    return wp.identity(n=3, dtype=float) + gradient * correction[i]
 
 
 @wp.kernel
@@ -116,41 +40,14 @@ def find_stress(
     """
     i = wp.tid() + first
     if bonds.count[i] > 0:
-        of_bonds = deformation_of_bonds(bonds, i, position, position_carry, body_volume, correction)
-        F = of_bonds * settled[i]
+        gradient = gradient_of_bonds(bonds, i, position, position_carry, body_volume)
         identity = wp.identity(n=3, dtype=float)
+        of_bonds = identity + gradient * correction[i]
+        F = of_bonds * settled[i]
         strain = 0.5 * (wp.transpose(F) * F - identity)  # Vijaykumar (4.3)
         sigma = 2.0 * elastic.lame_mu * strain + elastic.lame_lambda * wp.trace(strain) * identity  # (4.5)
         deformation[i] = of_bonds
         stress[i] = F * sigma * wp.transpose(settled[i]) * correction[i]
-
-
-@wp.kernel
-def keep_strain(
-    first: int,
-    bonds: BondList,
-    position: wp.array[wp.vec3],
-    position_carry: wp.array[wp.vec3],
-    body_volume: wp.array[float],
-    correction: wp.array[wp.mat33],
-    rebonded: wp.array[int],
-    deformation: wp.array[wp.mat33],
-    settled: wp.array[wp.mat33],
-):
-    """Let every particle keep its strain where bonds come and go, and what is new be without any.
-
-    ``settled`` (n,) leads from the shape without stress to the one that the bonds count from. Where bonds change, so
-    does the gradient over them; the stress must not. It would most of all where a particle has had so few bonds that
-    its moment matrix could not be inverted, and now can.
-    """
-    i = wp.tid() + first
-    if rebonded[i] != UNCHANGED:
-        now = deformation_of_bonds(bonds, i, position, position_carry, body_volume, correction)
-        before = wp.identity(n=3, dtype=float)
-        if rebonded[i] == CHANGED:
-            before = deformation[i] * settled[i]
-        if wp.determinant(now) > SMALLEST_VOLUME:
-            settled[i] = wp.inverse(now) * before
 
 
 @wp.kernel

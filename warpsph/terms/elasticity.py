@@ -6,7 +6,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Field, Value
-from warpsph.core.labels import Phase
+from warpsph.core.labels import Phase, Role
 from warpsph.core.lattice import Lattice
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
@@ -28,20 +28,23 @@ from warpsph.kernels.solid.bonds import (
     update_bonds,
 )
 from warpsph.kernels.solid.elasticity import (
-    ElasticConstants,
     add_elastic_forces,
     find_stress,
-    invert_moments,
-    keep_strain,
     settle_volume,
 )
 from warpsph.kernels.solid.prestress import keep_pressure
+from warpsph.kernels.solid.strain import ElasticConstants, keep_strain
 from warpsph.terms.fluid import Fluid, fluid_constants
 from warpsph.terms.phase_change import PhaseChange
 
 # In spacings. Where the pressure of the melt is zero particles may freeze almost on top of each other; a stiffness of
 # the hourglass control that grows as the inverse square of such a length would be unstable at any time step.
 SHORTEST_BOND = 0.65
+
+# Angular frequency times the longest step at which one particle's strain may swing. At 2 it alone would be unstable;
+# it swings together with those of its neighbours, and grows stiffer as it is stretched. The corner of a cube bonded to
+# its three nearest has 1.
+OWN_SWING = 1.01
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +128,7 @@ class Elasticity(Term):
         reach = self.reach(model)
         scale = normalisation("sine", model.dimension, reach)
         planar = int(model.dimension == 2)
-        constants = {"elastic": self._constants(model), "reach": reach, "scale": scale, "planar": planar}
+        constants = {"elastic": self._constants(model, state), "reach": reach, "scale": scale, "planar": planar}
         return constants | ({"fluid": fluid_constants(model)} if model.find(Fluid) else {})
 
     def reach(self, model: Model) -> float:
@@ -174,17 +177,20 @@ class Elasticity(Term):
 
     def _bond_solids(self, launch: Launch) -> None:
         launch(update_bonds)
-        launch(invert_moments)
         launch(keep_strain)
         launch(mark_bonded_neighbours)
         launch.whole(clear_flag, flag=launch.find("phase_changed"), counter=self.bond_events)
 
-    def _constants(self, model: Model) -> ElasticConstants:
+    def _constants(self, model: Model, state: State) -> ElasticConstants:
+        free = state.numpy("role") == Role.FREE
+        moving = tuple(int(material) for material in np.unique(state.numpy("material")[free]))
+        step = min(self.longest_steps(model, moving).values(), default=np.inf)
         constants = ElasticConstants()
         constants.lame_lambda, constants.lame_mu = self.lame
         constants.youngs_modulus = self.youngs_modulus
         constants.hourglass = self.hourglass
         constants.shortest_squared = (SHORTEST_BOND * model.spacing) ** 2
+        constants.highest_frequency_squared = (OWN_SWING / step) ** 2 if np.isfinite(step) else np.inf
         constants.corrected = int(self.corrected)
         constants.planar = int(model.dimension == 2)
         return constants
