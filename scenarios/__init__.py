@@ -1,5 +1,7 @@
 """What is simulated: one file per case. Importing this package registers them all."""
 
+from warpsph.scenarios.bonded_solid.melting_rectangle import MeltingRectangle
+from warpsph.scenarios.bonded_solid.melting_triangle import MeltingTriangle
 from warpsph.scenarios.breakout.breakout import Breakout
 from warpsph.scenarios.casting.casting import Casting
 from warpsph.scenarios.conduction.heat_gaussian import HeatGaussian
@@ -29,6 +31,8 @@ __all__ = [
     "HeatGaussian",
     "HeatSlab",
     "Hydrostatic",
+    "MeltingRectangle",
+    "MeltingTriangle",
     "PlateConvective",
     "PlateFixed",
     "PointSink",

@@ -8,7 +8,14 @@ from typing import Any
 
 import warp as wp
 
-FIELD_TYPES = {"int": int, "float": float, "double": wp.float64, "vec3": wp.vec3, "mat33": wp.mat33}
+FIELD_TYPES = {
+    "int": int,
+    "float": float,
+    "double": wp.float64,
+    "vec3": wp.vec3,
+    "vec3_double": wp.vec3d,
+    "mat33": wp.mat33,
+}
 
 
 def for_each_type(make: Callable[[type], Callable[..., None]], module: str) -> dict[Any, wp.Kernel]:

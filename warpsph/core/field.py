@@ -13,8 +13,8 @@ Start = float | Callable[[Any], float]  # a number, or what finds it from the mo
 
 Starts = Sequence[float] | np.ndarray
 
-SHAPES: dict[Any, tuple[int, ...]] = {wp.vec3: (3,), wp.mat33: (3, 3)}
-DTYPES = (int, float, wp.float64, wp.vec3, wp.mat33)
+SHAPES: dict[Any, tuple[int, ...]] = {wp.vec3: (3,), wp.vec3d: (3,), wp.mat33: (3, 3)}
+DTYPES = (int, float, wp.float64, wp.vec3, wp.vec3d, wp.mat33)
 WRITABLE = (int, float, wp.float64, wp.vec3)
 
 
@@ -26,7 +26,7 @@ class Field:
     share the declaration: ``froze = PhaseChange.froze``.
 
     Args:
-        dtype: int, float, wp.float64, wp.vec3 or wp.mat33.
+        dtype: int, float, wp.float64, wp.vec3, wp.vec3d or wp.mat33.
         unit: SI unit, "" where it has none.
         label: a few words, for people and pictures.
         start: value at the start where neither the particles nor a term's ``start`` give one.
@@ -55,7 +55,7 @@ class Field:
 
     def __post_init__(self) -> None:
         if self.dtype not in DTYPES:
-            allowed = "int, float, wp.float64, wp.vec3 or wp.mat33"
+            allowed = "int, float, wp.float64, wp.vec3, wp.vec3d or wp.mat33"
             raise TypeError(f"field '{self.label}': dtype {self.dtype} is not one of {allowed}")
         if self.written and not (self.dtype in WRITABLE and self.kept):
             raise TypeError(f"field '{self.label}': only kept numbers and vectors can be written to frames")

@@ -1,18 +1,23 @@
 """The physics: one file a term."""
 
 from warpsph.terms.alloy import Alloy
+from warpsph.terms.bonded_phase import BondedPhase
 from warpsph.terms.colour_field_tension import ColourFieldTension
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.contact import Contact
 from warpsph.terms.continuity_density import ContinuityDensity
+from warpsph.terms.driving_source import DrivingSource
 from warpsph.terms.elasticity import Elasticity
+from warpsph.terms.floor import Floor
 from warpsph.terms.fluid import Fluid
 from warpsph.terms.gradient_walls import GradientWalls
 from warpsph.terms.heat_sources import HeatSources, PointSource
 from warpsph.terms.heat_wall import HeatWall, cut_cells
 from warpsph.terms.integrators import BackwardEuler, CrankNicolson, Explicit
 from warpsph.terms.liquidus import Liquidus
+from warpsph.terms.pair_potential import PairPotential
 from warpsph.terms.phase_change import PhaseChange
+from warpsph.terms.precise_motion import PreciseMotion
 from warpsph.terms.profile import Profile
 from warpsph.terms.solute import Solute
 from warpsph.terms.summed_density import SummedDensity
@@ -22,20 +27,25 @@ from warpsph.terms.whole_phases import WholePhases
 __all__ = [
     "Alloy",
     "BackwardEuler",
+    "BondedPhase",
     "ColourFieldTension",
     "Conduction",
     "Contact",
     "ContinuityDensity",
     "CrankNicolson",
+    "DrivingSource",
     "Elasticity",
     "Explicit",
+    "Floor",
     "Fluid",
     "GradientWalls",
     "HeatSources",
     "HeatWall",
     "Liquidus",
+    "PairPotential",
     "PhaseChange",
     "PointSource",
+    "PreciseMotion",
     "Profile",
     "Solute",
     "SummedDensity",

@@ -1,0 +1,1 @@
+"""Particles as points of mass that attract and repel each other, in double precision."""

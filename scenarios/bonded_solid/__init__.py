@@ -1,0 +1,1 @@
+"""Solids of particles that attract and repel each other, and melt."""
