@@ -1,5 +1,6 @@
 """What is simulated: one file per case. Importing this package registers them all."""
 
+from warpsph.scenarios.bonded_solid.melting_block import MeltingBlock
 from warpsph.scenarios.bonded_solid.melting_rectangle import MeltingRectangle
 from warpsph.scenarios.bonded_solid.melting_triangle import MeltingTriangle
 from warpsph.scenarios.breakout.breakout import Breakout
@@ -31,6 +32,7 @@ __all__ = [
     "HeatGaussian",
     "HeatSlab",
     "Hydrostatic",
+    "MeltingBlock",
     "MeltingRectangle",
     "MeltingTriangle",
     "PlateConvective",

@@ -8,12 +8,14 @@ wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 
 @wp.kernel
-def fall_precisely(first: int, gravity: wp.vec3, role: wp.array[int], precise_acceleration: wp.array[wp.vec3d]):
+def fall_precisely(
+    first: int, precise_gravity: wp.vec3d, role: wp.array[int], precise_acceleration: wp.array[wp.vec3d]
+):
     """Begin the acceleration (n,) [m/s^2] of a step: gravity for free particles, zero for all others."""
     i = wp.tid() + first
     precise_acceleration[i] = wp.vec3d()
     if role[i] == Role.FREE:
-        precise_acceleration[i] = wp.vec3d(wp.float64(gravity[0]), wp.float64(gravity[1]), wp.float64(gravity[2]))
+        precise_acceleration[i] = precise_gravity
 
 
 @wp.kernel
@@ -66,3 +68,18 @@ def show(
 def keep_step(first: int, dt: wp.float64, last_step: wp.array[wp.float64]):
     """Remember the length ``dt`` [s] of this step; one thread."""
     last_step[0] = dt
+
+
+@wp.kernel
+def damp(
+    first: int,
+    dt: wp.float64,
+    time: wp.array[wp.float64],
+    damping_rate: wp.float64,
+    damping_end: wp.float64,
+    precise_velocity: wp.array[wp.vec3d],
+):
+    """Let the velocity (n,) [m/s] decay at ``damping_rate`` [1/s] until ``damping_end`` [s]."""
+    i = wp.tid() + first
+    if time[0] < damping_end:
+        precise_velocity[i] *= wp.exp(-damping_rate * dt)

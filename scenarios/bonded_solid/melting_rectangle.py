@@ -1,13 +1,23 @@
 """A rectangle of particles on a hot floor."""
 
+from collections.abc import Callable, Iterable
 from typing import Literal
 
-from warpsph.cases.scenario import parameter
+import numpy as np
+
+from warpsph.cases.case import preset_layer, resolve
+from warpsph.cases.check import Check
+from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
+from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.scenarios.bonded_solid.outcome import Outcome, check_unheated
 from warpsph.scenarios.bonded_solid.particle_solid import FOOT, SOURCE, ParticleSolid
 from warpsph.scenarios.bonded_solid.tables import published
 from warpsph.terms import BondedPhase, Floor
+
+MEMBERS = 40
+NOISE = 1.0e-12  # [ft], which grows to the size of a bond within 25 000 steps
 
 
 class MeltingRectangle(ParticleSolid):
@@ -36,4 +46,58 @@ class MeltingRectangle(ParticleSolid):
     def build(self, executor: Executor) -> Simulation:
         floor = Floor(self.restitution, self.hot, self.hot_slope / FOOT, FOOT * self.hot_half_width)
         phases = BondedPhase(FOOT * self.cutoff, self.interval, highest_energy=FOOT**2 * self.highest_energy)
-        return self.simulation(executor, published("rectangle", self.table == "corrected"), floor, phases)
+        return self.simulation(executor, published("rectangle", self.table == "corrected"), (floor, phases))
+
+    @classmethod
+    def member(cls, preset: str, seed: int) -> "MeltingRectangle":
+        """A preset whose start is changed by as little as double precision can tell."""
+        case = resolve(cls, [preset_layer(cls, preset)])
+        return case.model_copy(update={"perturbation": NOISE, "seed": seed})
+
+    @classmethod
+    def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
+        """Without heat; the table as printed on the hot floor; and 40 starts that differ by next to nothing."""
+        symmetric, printed = published("rectangle", corrected=True), resolve(cls, [preset_layer(cls, "printed")])
+        unheated = Outcome(simulate(cls()), symmetric)
+        yield from check_unheated(cls.name, unheated, "50 000")
+        yield Check(
+            cls.name,
+            "highest mean kinetic energy of a particle [kg ft^2/s^2], 50 000 steps without heat",
+            "",
+            unheated.hottest_at_end,
+            None,
+            9.0,
+            "the same equations by another program: below 9",
+            reason="far from the 25 at which particles are fluid",
+        )
+        run = Outcome(simulate(printed), symmetric)
+        yield Check(
+            cls.name,
+            "step of the first fluid particle, table as printed",
+            "",
+            round(run.first_fluid_time / printed.step),
+            25000.0,
+            1000.0,
+            "the same equations by another program",
+            relative=False,
+            reason="phases are found every 1000 steps; rounding has not grown to the size of a bond before",
+        )
+        if not slow:
+            return
+        for preset in cls.presets:
+            runs = [Outcome(simulate(cls.member(preset, seed)), symmetric) for seed in range(MEMBERS)]
+            yield from cls._of_ensemble(preset, runs)
+
+    @classmethod
+    def _of_ensemble(cls, preset: str, runs: list[Outcome]) -> Iterable[Check]:
+        fluid = np.array([run.fluid_at_end for run in runs])
+        published_count = len(runs[0].table.places)
+        where = f"{len(runs)} starts, {preset}"
+        for quantity, found, reference, tolerance, reason in (
+            ("fewest particles fluid at step 50 000", fluid.min(), published_count, 16, "30 or more of 46"),
+            ("most particles fluid at step 50 000", fluid.max(), published_count, 0, "the paper has all 46"),
+            ("runs in which both waves have gone 6 ft or farther", sum(run.flows_apart(6.0) for run in runs),
+             len(runs), 0, "two portions flow outward, the body was 6.5 ft wide"),
+        ):  # fmt: skip
+            what, source = f"{quantity} ({where})", f"{SOURCE}, figure 5.2"
+            yield Check(cls.name, what, "", float(found), reference, tolerance, source, relative=False, reason=reason)

@@ -14,13 +14,33 @@ from warpsph.core.particles import Particles
 from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
 from warpsph.run.measured import Measured, Values
+from warpsph.run.recorder import Observe
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.bonded_solid.tables import Table
-from warpsph.terms import BondedPhase, Floor, PairPotential, PreciseMotion
+from warpsph.terms import PairPotential, PreciseMotion
 
 SOURCE = "Greenspan (1976)"
 FOOT = 0.3048  # [m]; the unit of mass of the paper is 1 kg here
 WIDTH, HEIGHT = 40.0, 12.0  # half width and height of the box in which most particles stay [ft]
+
+
+def in_space(values: np.ndarray) -> np.ndarray:
+    """Values (n, 2) in the plane as (n, 3)."""
+    return np.column_stack([values, np.zeros(len(values))])
+
+
+def observe_each(state: Snapshot, time: float) -> Values:
+    """Which particles are fluid, and how far the body reaches."""
+    fluid = state["phase"] == Phase.LIQUID
+    x, y = state["precise_position"][:, :2].T
+    return {
+        "fluid": Measured(float(np.sum(fluid)), "", "particles that are fluid"),
+        "is_fluid": Measured(fluid, "", "which particles are fluid"),
+        "left": Measured(float(x.min()), "m", "leftmost", panel="reach of the particles"),
+        "right": Measured(float(x.max()), "m", "rightmost", panel="reach of the particles"),
+        "top": Measured(float(y.max()), "m", "highest", panel="reach of the particles"),
+        "hottest": Measured(float(state["mean_energy"].max()), "J", "highest mean kinetic energy of a particle"),
+    }
 
 
 class ParticleSolid(Scenario):
@@ -75,16 +95,24 @@ class ParticleSolid(Scenario):
         )
 
     def simulation(
-        self, executor: Executor, table: Table, floor: Floor, phases: BondedPhase, sources: Sequence[Term] = ()
+        self,
+        executor: Executor,
+        table: Table,
+        terms: Sequence[Term],
+        box: tuple[float, float] = (WIDTH, HEIGHT),
+        observe: Observe = observe_each,
     ) -> Simulation:
-        """The particles of a table on a floor, and what heats them."""
+        """The particles of a table with their bonds, and the ``terms`` that go with them.
+
+        Most particles stay within ``box``, half width and height [ft].
+        """
         potential = self.potential
         model = Model(
             dimension=2,
             spacing=potential.rest_length,
             support_ratio=1.2,
             materials=(solid_material("particles", 1.0 / potential.rest_length**2),),
-            terms=(PreciseMotion(), *sources, potential, floor, phases),
+            terms=(PreciseMotion(), potential, *terms),
             gravity=(0.0, -self.gravity * FOOT, 0.0),
         )
         noise = np.random.default_rng(self.seed).uniform(-self.perturbation, self.perturbation, table.places.shape)
@@ -96,24 +124,5 @@ class ParticleSolid(Scenario):
             phase=Phase.SOLID,
             mass=1.0,
         )
-        lower, upper = FOOT * np.array([(-WIDTH, -1.0, -1.0), (WIDTH, HEIGHT, 1.0)])
+        lower, upper = FOOT * np.array([(-box[0], -1.0, -1.0), (box[0], box[1], 1.0)])
         return Simulation(executor, model, particles, lower=lower, upper=upper, dt=self.step, observe=observe)
-
-
-def in_space(values: np.ndarray) -> np.ndarray:
-    """Values (n, 2) in the plane as (n, 3)."""
-    return np.column_stack([values, np.zeros(len(values))])
-
-
-def observe(state: Snapshot, time: float) -> Values:
-    """Which particles are fluid, and how far the body reaches."""
-    fluid = state["phase"] == Phase.LIQUID
-    x, y = state["precise_position"][:, :2].T
-    return {
-        "fluid": Measured(float(np.sum(fluid)), "", "particles that are fluid"),
-        "is_fluid": Measured(fluid, "", "which particles are fluid"),
-        "left": Measured(float(x.min()), "m", "leftmost", panel="reach of the particles"),
-        "right": Measured(float(x.max()), "m", "rightmost", panel="reach of the particles"),
-        "top": Measured(float(y.max()), "m", "highest", panel="reach of the particles"),
-        "hottest": Measured(float(state["mean_energy"].max()), "J", "highest mean kinetic energy of a particle"),
-    }

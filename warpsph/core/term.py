@@ -133,6 +133,10 @@ class Term:
         """What is to be said of it at the end of a run, by a few words."""
         return {}
 
+    def facts(self) -> dict[str, Any]:
+        """What pictures must know of it, for the provenance of a result file."""
+        return {}
+
     def check(self, state: State) -> None:
         """Look, on the host, whether something has gone wrong.
 

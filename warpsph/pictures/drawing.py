@@ -9,8 +9,10 @@ import numpy as np
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 from warpsph.pictures import graphics
+from warpsph.pictures.bonds import SHRUNK, bonds_of, draw_bonds
 from warpsph.pictures.looks import choose_look
 from warpsph.pictures.sheet import Sheet
+from warpsph.pictures.shell_edge import draw_edge
 from warpsph.pictures.view import make_view
 
 SURVEYED_FRAMES = 9
@@ -53,6 +55,7 @@ class Drawing:
             raise InputError(f"cut = z={cut[1]:g}: this run is two-dimensional and has no depth; cut along x or y")
         if cut is not None and not any(len(points) for points, _ in frames.values()):
             raise InputError(f"cut = {'xyz'[cut[0]]}={cut[1]:g}: all particles lie beyond it")
+        self.bonds = bonds_of(result, max(len(points) for points, _ in frames.values()))
         self.look = choose_look(result, field, list(frames.values()))
         self.view = make_view(result, [frames[k] for k in drawn])
         self.sheet = Sheet(self.view, self.look, panels, long_side, dots_per_inch, float(result.times[-1]))
@@ -62,12 +65,15 @@ class Drawing:
         points, fields = self._frame(k)
         drawn = self.view.uncovered(points, fields["role"])
         points, fields = points[drawn], {name: values[drawn] for name, values in fields.items()}
-        diameters = self.view.diameters(fields["role"])
+        diameters = self.view.diameters(fields["role"]) * (SHRUNK if self.bonds else 1.0)
         layered = self.view.layered(points, fields["role"])
         image = painter()(layered, self.look.colours(fields), diameters, self.view, self.sheet.size)
         self.sheet.show(panel, image, self.result.times[k])
         if self.look.edge and self.view.camera is None:
-            self.sheet.show_edge(panel, points, fields)
+            self.sheet.overlay(panel, lambda axes: draw_edge(axes, points, fields, self.view))
+        elif self.bonds is not None:
+            bonds = self.bonds
+            self.sheet.overlay(panel, lambda axes: draw_bonds(axes, points, fields, bonds))
 
     def _frame(self, k: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         points, fields = self.result.frame(k)

@@ -128,7 +128,7 @@ def choose_look(result: ResultFile, field: str | None, frames: Frames) -> Look:
     freezes = _freezes(frames)
     if field is None and freezes:
         return StrandLook(result.field_quantities["temperature"], frames, parts(*BESIDE_THE_FLUID))
-    field = field or _most_telling(frames)
+    field = field or ("phase" if "bond" in result.provenance else _most_telling(frames))
     values_of(frames[0][1], field)
     if field == "role":
         return CategoryLook("role", ROLE_NAMES, ROLE_COLOURS, frames, parts())

@@ -1,10 +1,12 @@
 """The sheet around the particles: axes, time stamps, colour bar and key, the same for every painter."""
 
+from collections.abc import Callable
 from pathlib import Path
 from textwrap import wrap
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -13,8 +15,7 @@ from warpsph.errors import InputError
 from warpsph.pictures.axes_in_space import INK, PALE_INK, draw_axes
 from warpsph.pictures.layout import arrange
 from warpsph.pictures.looks import Look
-from warpsph.pictures.parts import Fields
-from warpsph.pictures.shell_edge import NAME, RIM, draw_edge
+from warpsph.pictures.shell_edge import NAME, RIM
 from warpsph.pictures.view import View
 
 STILL_SUFFIXES = (".png", ".pdf", ".svg", ".jpg")
@@ -61,7 +62,7 @@ class Sheet:
             self._panels.append(
                 (axes, self._blank(axes), axes.set_title("", loc="left", fontsize=10, color=INK, pad=5))
             )
-        self._edges: dict[int, list[Any]] = {}
+        self._overlays: dict[int, list[Any]] = {}
         key_left, key_top = layout.key
         self._text(key_left, key_top, "\n".join(title), weight="bold")
         self._draw_key(look, key_left, key_top - heading, max(layout.room, key - LINE) - heading)
@@ -72,11 +73,11 @@ class Sheet:
         picture.set_data(image)
         title.set_text(f"t = {time_text(time, self._last_time)}")
 
-    def show_edge(self, panel: int, points: np.ndarray, fields: Fields) -> None:
-        """Draw the line around what has frozen into a panel, in place of the one before."""
-        for drawn in self._edges.get(panel, []):
+    def overlay(self, panel: int, draw: Callable[[Axes], list[Any]]) -> None:
+        """Draw lines over a panel, in the place of those before; ``draw`` returns what can be removed again."""
+        for drawn in self._overlays.get(panel, []):
             drawn.remove()
-        self._edges[panel] = draw_edge(self._panels[panel][0], points, fields, self._view)
+        self._overlays[panel] = draw(self._panels[panel][0])
 
     def save(self, output: Path) -> None:
         """Write the sheet to a file."""

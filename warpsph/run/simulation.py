@@ -199,6 +199,8 @@ class Simulation:
             "dimension": self.model.dimension,
             "materials": [material.name for material in self.model.materials],
         }
+        for term in self.model.terms:
+            facts |= term.facts()
         quantities = {name: field.quantity for name, field in self.state.fields.items() if field.written}
         return ResultWriter(output, parameters, facts, overwrite, quantities)
 

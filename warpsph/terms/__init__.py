@@ -6,6 +6,7 @@ from warpsph.terms.colour_field_tension import ColourFieldTension
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.contact import Contact
 from warpsph.terms.continuity_density import ContinuityDensity
+from warpsph.terms.damping import Damping
 from warpsph.terms.driving_source import DrivingSource
 from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.floor import Floor
@@ -14,6 +15,7 @@ from warpsph.terms.gradient_walls import GradientWalls
 from warpsph.terms.heat_sources import HeatSources, PointSource
 from warpsph.terms.heat_wall import HeatWall, cut_cells
 from warpsph.terms.integrators import BackwardEuler, CrankNicolson, Explicit
+from warpsph.terms.lamp import Lamp
 from warpsph.terms.liquidus import Liquidus
 from warpsph.terms.pair_potential import PairPotential
 from warpsph.terms.phase_change import PhaseChange
@@ -33,6 +35,7 @@ __all__ = [
     "Contact",
     "ContinuityDensity",
     "CrankNicolson",
+    "Damping",
     "DrivingSource",
     "Elasticity",
     "Explicit",
@@ -41,6 +44,7 @@ __all__ = [
     "GradientWalls",
     "HeatSources",
     "HeatWall",
+    "Lamp",
     "Liquidus",
     "PairPotential",
     "PhaseChange",

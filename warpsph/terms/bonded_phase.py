@@ -59,6 +59,10 @@ class BondedPhase(Term):
     def longest_intervals(self, model: Model) -> dict[str, float]:
         return {"mean velocity": self.interval}
 
+    def facts(self) -> dict[str, object]:
+        """How long bonds are [m], and above which mean speed [m/s] a particle is fast."""
+        return {"bond": self.bond} | ({"fast": self.highest_speed} if np.isfinite(self.highest_speed) else {})
+
     def watch(self, launch: Launch) -> None:
         launch(gather_energy)
 

@@ -10,7 +10,9 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.motion import Motion
 from warpsph.core.particles import Particles
+from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import InputError
 from warpsph.kernels.basics.motion import advance_clock, watch
 from warpsph.kernels.particles.motion import drift_precisely, fall_precisely, keep_step, kick_precisely, show
 
@@ -38,7 +40,14 @@ class PreciseMotion(Term):
     last_step = Value(wp.float64, "s", "length of the step before")
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        for term in model.terms:
+            if "forces" in term.needs:
+                name = type(term).__name__
+                raise InputError(f"{name} sums forces in single precision, which PreciseMotion does not read; drop one")
         return {"precise_position": fields["position"], "precise_velocity": fields["velocity"]}
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        return {"precise_gravity": wp.vec3d(*model.gravity)}
 
     def sum_forces(self, launch: Launch) -> None:
         launch(fall_precisely)

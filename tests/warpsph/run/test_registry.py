@@ -32,6 +32,13 @@ SMALL: dict[str, Callable[[], dict[str, Any]]] = {
         "duration": 8.0,
         "output_interval": 4.0,
     },
+    "melting_triangle": lambda: {
+        "duration": 0.1,
+        "output_interval": 0.05,
+        "averaged_steps": 250,
+        "until": (0.1, 0.15, 9.0),
+    },
+    "melting_rectangle": lambda: {"duration": 0.1, "output_interval": 0.05, "averaged_steps": 250},
     "heat_slab": lambda: {"rows": 10, "duration": 40.0, "output_interval": 10.0},
 }
 

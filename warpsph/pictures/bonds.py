@@ -1,0 +1,66 @@
+"""Bonds between particles as lines, and arrows on those that fly off, in the plane."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from scipy.spatial import cKDTree
+
+from warpsph.core.labels import Phase
+from warpsph.files.results import ResultFile
+from warpsph.pictures.parts import Fields
+
+MOST = 2000  # particles, above which single bonds could not be told apart
+INK = "#26292e"
+SHRUNK = 0.3  # diameter of a particle over the one without bonds
+ARROW = 0.9  # length over that of a bond
+
+
+@dataclass(frozen=True)
+class Bonds:
+    """What the file says of bonds.
+
+    Attributes:
+        length: longest distance of two solid particles that are bonded [m].
+        fast: mean speed above which a fluid particle has an arrow [m/s]; None for no arrows.
+    """
+
+    length: float
+    fast: float | None
+
+
+def bonds_of(result: ResultFile, particles: int) -> Bonds | None:
+    """The bonds of a run in the plane that has some and is small enough to show them."""
+    known = result.provenance
+    if "bond" not in known or known.get("dimension") != 2 or particles > MOST:
+        return None
+    return Bonds(float(known["bond"]), known.get("fast"))
+
+
+def bonded_pairs(points: np.ndarray, fields: Fields, bonds: Bonds) -> np.ndarray:
+    """Pairs (m, 2) of indices of solid particles closer than a bond."""
+    solid = np.flatnonzero(fields["phase"] == Phase.SOLID)
+    if len(solid) < 2:
+        return np.zeros((0, 2), int)
+    return solid[cKDTree(points[solid]).query_pairs(bonds.length, output_type="ndarray")]
+
+
+def draw_bonds(axes: Axes, points: np.ndarray, fields: Fields, bonds: Bonds) -> list[Any]:
+    """Draw lines and arrows; return what can be removed again."""
+    pairs = bonded_pairs(points, fields, bonds)
+    drawn: list[Any] = [
+        axes.add_collection(LineCollection(list(points[pairs][:, :, :2]), colors=INK, linewidths=0.7), autolim=False)
+    ]
+    if bonds.fast is not None:
+        velocity = fields["mean_velocity"][:, :2]
+        speed = np.linalg.norm(velocity, axis=1)
+        fast = (fields["phase"] != Phase.SOLID) & (speed > bonds.fast)
+        if np.any(fast):
+            tips = ARROW * bonds.length * velocity[fast] / speed[fast, None]
+            arrows = axes.quiver(
+                *points[fast, :2].T, *tips.T, angles="xy", scale_units="xy", scale=1.0, color=INK, width=0.008
+            )
+            drawn.append(arrows)
+    return drawn
