@@ -517,6 +517,12 @@ def melting_triangle_fast(picture: Path) -> None:
 
 
 @figure
+def melting_block(picture: Path) -> None:
+    """The block from when the lamp is switched on until the end."""
+    render_series(simulated("melting_block"), picture, [6.0, 8.0, 11.0, 14.0, 20.0])
+
+
+@figure
 def melting_rectangle(picture: Path) -> None:
     """The rectangle on the hot floor, table 2 as printed, at times of figure 5.2."""
     render_series(simulated("melting_rectangle", "printed"), picture, [0.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0])

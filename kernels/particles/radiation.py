@@ -5,6 +5,7 @@ import warp as wp
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 NOTHING = wp.constant(wp.float64(1.0e300))  # distance [m] at which a ray has met nothing
+NOBODY = wp.constant(2**31 - 1)
 SLACK = wp.constant(wp.float64(1.0 + 1.0e-12))  # a compiler may round a distance differently in two kernels
 TURN = wp.constant(wp.float64(6.283185307179586))
 
@@ -46,9 +47,11 @@ def number_of(lamp: LampConstants, ray: int) -> int:
 
 
 @wp.kernel
-def clear_rays(first: int, met: wp.array[wp.float64]):
+def clear_rays(first: int, met: wp.array[wp.float64], owner: wp.array[int]):
     """Let the rays (m,) meet nothing."""
-    met[wp.tid() + first] = NOTHING
+    ray = wp.tid() + first
+    met[ray] = NOTHING
+    owner[ray] = NOBODY
 
 
 @wp.kernel
@@ -62,22 +65,40 @@ def meet_particles(first: int, lamp: LampConstants, precise_position: wp.array[w
 
 
 @wp.kernel
+def own_rays(
+    first: int,
+    lamp: LampConstants,
+    id: wp.array[int],
+    precise_position: wp.array[wp.vec3d],
+    met: wp.array[wp.float64],
+    owner: wp.array[int],
+):
+    """Find the ``id`` (n,) of the particle that each ray (m,) meets first; the smallest of those equally far."""
+    i = wp.tid() + first
+    x = precise_position[i]
+    rays = rays_on(lamp, x)
+    for ray in range(rays[0], rays[1] + 1):
+        if distance_of(lamp, x) <= SLACK * met[number_of(lamp, ray)]:
+            wp.atomic_min(owner, number_of(lamp, ray), id[i])
+
+
+@wp.kernel
 def take_light(
     first: int,
     lamp: LampConstants,
     time: wp.array[wp.float64],
+    id: wp.array[int],
     precise_position: wp.array[wp.vec3d],
-    met: wp.array[wp.float64],
+    owner: wp.array[int],
     light: wp.array[float],
 ):
     """Write the power (n,) [W] that each particle takes: that of the rays that meet no other one before."""
     i = wp.tid() + first
-    x = precise_position[i]
     count = int(0)
     if time[0] >= lamp.begin:
-        rays = rays_on(lamp, x)
+        rays = rays_on(lamp, precise_position[i])
         for ray in range(rays[0], rays[1] + 1):
-            if distance_of(lamp, x) <= SLACK * met[number_of(lamp, ray)]:
+            if owner[number_of(lamp, ray)] == id[i]:
                 count += 1
     light[i] = float(wp.float64(count) * lamp.power)
 

@@ -1,6 +1,7 @@
 """Solid or fluid, for particles that attract each other."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import warp as wp
@@ -59,7 +60,7 @@ class BondedPhase(Term):
     def longest_intervals(self, model: Model) -> dict[str, float]:
         return {"mean velocity": self.interval}
 
-    def facts(self) -> dict[str, object]:
+    def facts(self) -> dict[str, Any]:
         """How long bonds are [m], and above which mean speed [m/s] a particle is fast."""
         return {"bond": self.bond} | ({"fast": self.highest_speed} if np.isfinite(self.highest_speed) else {})
 

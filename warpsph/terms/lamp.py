@@ -13,7 +13,7 @@ from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError, number, numbers, require
-from warpsph.kernels.particles.radiation import LampConstants, clear_rays, meet_particles, take_light, warm_up
+from warpsph.kernels.particles.radiation import LampConstants, clear_rays, meet_particles, own_rays, take_light, warm_up
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,6 +52,10 @@ class Lamp(Term):
         scratch=True,
     )
 
+    owner = Value(
+        int, "", "id of the particle that each ray meets", start=lambda term: np.zeros(term.rays), scratch=True
+    )
+
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         if model.dimension != 2:
             raise InputError("Lamp: its rays lie in the plane; give it to a model of two dimensions")
@@ -68,6 +72,7 @@ class Lamp(Term):
         """Where the rays end; one thread of a CPU does it, because several particles are in the way of a ray."""
         launch.whole(clear_rays, self.rays)
         launch.whole(meet_particles, launch.count)
+        launch.whole(own_rays, launch.count)
 
     def sum_forces(self, launch: Launch) -> None:
         launch(take_light)

@@ -39,6 +39,13 @@ SMALL: dict[str, Callable[[], dict[str, Any]]] = {
         "until": (0.1, 0.15, 9.0),
     },
     "melting_rectangle": lambda: {"duration": 0.1, "output_interval": 0.05, "averaged_steps": 250},
+    "melting_block": lambda: {
+        "columns": 20,
+        "rows": 10,
+        "settling": 0.2,
+        "duration": 0.2,
+        "output_interval": 0.1,
+    },
     "heat_slab": lambda: {"rows": 10, "duration": 40.0, "output_interval": 10.0},
 }
 
