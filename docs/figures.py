@@ -15,6 +15,7 @@ from conduction_figures import draw_cost, draw_steps
 from crystal_figures import draw_crystal_growth
 from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stefan
 from matplotlib.colors import LogNorm
+from particle_figures import draw_block, draw_ensemble
 from plate_figures import draw_errors, draw_isotherms
 
 from warpsph.cases.case import preset_layer, resolve, settings_layer
@@ -519,7 +520,7 @@ def melting_triangle_fast(picture: Path) -> None:
 @figure
 def melting_block(picture: Path) -> None:
     """The block from when the lamp is switched on until the end."""
-    render_series(simulated("melting_block"), picture, [6.0, 8.0, 11.0, 14.0, 20.0])
+    draw_block(simulated("melting_block"), [6.0, 8.0, 12.0, 20.0], picture)
 
 
 @figure
@@ -531,18 +532,8 @@ def melting_rectangle(picture: Path) -> None:
 @figure
 def melting_rectangle_ensemble(picture: Path) -> None:
     """How many particles are fluid at the end, over starts that differ by 1e-12 ft, and over time."""
-    drawing, (left, right) = plt.subplots(1, 2, figsize=(9, 3.8), layout="constrained")
     runs = [simulated("melting_rectangle", "printed", "perturbation=1e-12", f"seed={seed}") for seed in range(40)]
-    for run in runs:
-        left.plot(run.diagnostics["time"], run.diagnostics["fluid"], color="C0", lw=0.5, alpha=0.6)
-    left.set(xlabel="time [s]", ylabel="particles that are fluid")
-    final = [int(run.diagnostics["fluid"][-1]) for run in runs]
-    right.hist(final, np.arange(29.5, 47.0), color="C0", rwidth=0.85)
-    right.axvline(46, color="k", lw=1.0, ls="--", label="the paper: 46 of 46")
-    right.set(xlabel="particles that are fluid at step 50 000", ylabel="starts")
-    right.legend(frameon=False, loc="upper left")
-    drawing.savefig(picture, dpi=150)
-    plt.close(drawing)
+    draw_ensemble(runs, picture)
 
 
 def main(names: list[str]) -> str | None:
