@@ -13,6 +13,8 @@ from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
+NO_ICE = wp.constant(wp.float64(1.0e-9))  # of the mass of the liquid: less ice than that has no say
+
 
 @wp.struct
 class AlloyTable:
@@ -69,6 +71,14 @@ def wall_ice(alloy: AlloyTable, p: int, bulk: float) -> float:
     """Volume fraction of ice in an alloy of the mean concentration ``bulk``, in equilibrium at wall p."""
     ice = 1.0 - bulk / wp.max(alloy.wall_concentration[p], 1.0e-30)  # from Monaghan et al. (4.5)
     return wp.clamp(ice * alloy.density_liquid / alloy.density_ice, 0.0, 1.0)
+
+
+@wp.func
+def volumes_behind(alloy: AlloyTable, ice: float, volume: float) -> wp.vec2:
+    """Volumes [m^3] (m^2 in 2D) of liquid and ice of an image of ``volume`` with the fraction ``ice`` of it frozen."""
+    if alloy.literal != 0:
+        return wp.vec2(volume, wp.where(ice > 0.0, volume, 0.0))
+    return wp.vec2(volume * (1.0 - ice), volume * ice)
 
 
 @wp.func
@@ -148,9 +158,7 @@ def _sum_alloy_heat(dtype: type) -> Callable[..., None]:
                         if keeper >= 0:
                             ice = wall_ice(alloy, keeper, bulk_solute[j])
                             k = conductivities(alloy, solid_fraction[i], ice)
-                            V = wp.vec2(thermal_volume[j] * (1.0 - ice), thermal_volume[j] * ice)
-                            if alloy.literal != 0:
-                                V = wp.vec2(thermal_volume[j], wp.where(ice > 0.0, thermal_volume[j], 0.0))
+                            V = volumes_behind(alloy, ice, thermal_volume[j])
                         else:
                             k = conductivities(alloy, solid_fraction[i], solid_fraction[j])
                         part = pair_heat(k, cubic_spline_slope(r_squared, alloy.support), colder_by(T_i, T), V)
@@ -258,7 +266,7 @@ def find_alloy_state(
     bulk_solute[i] = float(solute_mass[i] / (m_l + m_i))
     ice_temperature[i] = T
     ice = float(0.0)
-    if m_i > wp.float64(1.0e-9) * m_l:
+    if m_i > NO_ICE * m_l:
         ice_temperature[i] = float(alloy.reference + ice_heat[i] / (m_i * alloy.capacity_ice))
         ice = float(m_i) / alloy.density_ice
     ice_volume[i] = ice

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import cubic_spline_slope
-from warpsph.kernels.heat.alloy import AlloyTable, conductivities, wall_ice
+from warpsph.kernels.heat.alloy import NO_ICE, AlloyTable, conductivities, volumes_behind, wall_ice
 from warpsph.kernels.heat.freezing import chord_slope, ice_formed, liquidus
 from warpsph.kernels.heat.implicit import STILL, ImplicitStep
 from warpsph.kernels.heat.mirrors import image_distance, mirrors_of
@@ -13,8 +13,6 @@ from warpsph.kernels.heat.walls import HeatWalls
 from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
-
-FEW = wp.constant(wp.float64(1.0e-9))  # share of the liquid that counts as no ice
 
 
 @wp.kernel
@@ -63,7 +61,7 @@ def find_alloy_iterate(
     solution.temperature[n + i] = alloy.reference + T
     solution.capacity[n + i] = STILL
     m_i = ice_mass[i]
-    if m_i > FEW * m:
+    if m_i > NO_ICE * m:
         solution.temperature[n + i] = alloy.reference + solution.heat[n + i] / (m_i * c_i)
         solution.capacity[n + i] = m_i * c_i
     if role[i] == Role.RESERVOIR:
@@ -126,9 +124,7 @@ def find_alloy_rows(
                     if keeper >= 0:
                         ice = wall_ice(alloy, keeper, bulk_solute[j])
                         kappa = conductivities(alloy, solid_fraction[i], ice)
-                        V = wp.vec2(thermal_volume[j] * (1.0 - ice), thermal_volume[j] * ice)
-                        if alloy.literal != 0:
-                            V = wp.vec2(thermal_volume[j], wp.where(ice > 0.0, thermal_volume[j], 0.0))
+                        V = volumes_behind(alloy, ice, thermal_volume[j])
                     else:
                         kappa = conductivities(alloy, solid_fraction[i], solid_fraction[j])
                     slope = cubic_spline_slope(r_squared, alloy.support)
