@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Phase, Role
 from warpsph.kernels.basics.smoothing import poly6_laplacian, poly6_slope
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -49,7 +49,7 @@ def add_colour_field_tension(
         laplacian = volume[i] * poly6_laplacian(0.0, colour_field.support, colour_field.dimension)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             r_squared = wp.dot(d, d)
             gradient += d * (volume[j] * poly6_slope(r_squared, colour_field.support))  # Vijaykumar (2.8)
             laplacian += volume[j] * poly6_laplacian(r_squared, colour_field.support, colour_field.dimension)

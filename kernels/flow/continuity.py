@@ -6,7 +6,7 @@ from warpsph.kernels.basics.compensation import compensated_sum
 from warpsph.kernels.basics.roles import is_fluid
 from warpsph.kernels.basics.smoothing import spiky_slope
 from warpsph.kernels.flow.fluid import FluidConstants, pressure_of
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -38,7 +38,7 @@ def advance_density(
         total = float(0.0)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             total += fluid_mass[j] * wp.dot(u_i - velocity[j], d) * spiky_slope(wp.dot(d, d), fluid.support)
         # volumes of neighbours at rho_0: their true density is being written at this moment
         rate = density[i] * fluid.pressure_scale * total / fluid.reference_density

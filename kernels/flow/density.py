@@ -5,7 +5,7 @@ import warp as wp
 from warpsph.kernels.basics.roles import is_fluid
 from warpsph.kernels.basics.smoothing import poly6_value
 from warpsph.kernels.flow.fluid import FluidConstants, pressure_of
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -33,7 +33,7 @@ def sum_density(
         total = fluid_mass[i] * poly6_value(0.0, fluid.support)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             total += fluid_mass[j] * poly6_value(wp.dot(d, d), fluid.support)
         rho = fluid.density_scale * total  # Vijaykumar (2.1)
         density[i] = rho

@@ -5,7 +5,7 @@ import warp as wp
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import spiky_slope, viscosity_laplacian
 from warpsph.kernels.flow.fluid import FluidConstants
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -44,7 +44,7 @@ def add_fluid_forces(
         for k in range(neighbours.count[i]):
             entry = entry_of(neighbours, i, k)
             j = index_of(entry)
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             r_squared = wp.dot(d, d)
             if r_squared < fluid.support * fluid.support:
                 if entry >= 0:

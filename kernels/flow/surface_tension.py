@@ -10,7 +10,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Phase, Role
 from warpsph.kernels.basics.smoothing import poly6_slope, poly6_value
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -57,7 +57,7 @@ def find_surface_normal(
         colour = fluid_mass[i] * poly6_value(0.0, surface.support)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             r_squared = wp.dot(d, d)
             gradient += d * (fluid_mass[j] * poly6_slope(r_squared, surface.support))
             colour += fluid_mass[j] * poly6_value(r_squared, surface.support)
@@ -94,7 +94,7 @@ def add_surface_tension(
             n_j = surface_normal[j]
             steepness = wp.length(n_j)
             if steepness > 0.0:
-                d = x_i - position[j]
+                d = difference(neighbours, x_i, position[j])
                 t_j = n_j / steepness
                 weight = -fluid_mass[j] * steepness * poly6_slope(wp.dot(d, d), surface.support)
                 across = wp.dot(d, wp.normalize(t_i + t_j))

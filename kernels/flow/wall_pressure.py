@@ -6,7 +6,7 @@ from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.roles import is_fluid
 from warpsph.kernels.basics.smoothing import poly6_value
 from warpsph.kernels.flow.fluid import FluidConstants
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -34,7 +34,7 @@ def extrapolate_pressure(
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if is_fluid(role[j]):
-                d = x_i - position[j]
+                d = difference(neighbours, x_i, position[j])
                 w = poly6_value(wp.dot(d, d), fluid.support) * fluid.density_scale
                 weighted += w * (pressure[j] + density[j] * wp.dot(gravity, d))  # Adami (27), wall not accelerated
                 weight += w

@@ -9,7 +9,7 @@ from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import cubic_spline_slope, cubic_spline_value
 from warpsph.kernels.heat.mirrors import image_distance, image_values, mirrors_of
 from warpsph.kernels.heat.walls import HeatWalls
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -138,14 +138,14 @@ def _sum_alloy_heat(dtype: type) -> Callable[..., None]:
             if n < neighbours.count[i]:
                 j = index_of(entry_of(neighbours, i, n))
             if role[j] != Role.RESERVOIR:
-                d = x_i - position[j]
+                d = difference(neighbours, x_i, position[j])
                 T_j = two(temperature[j], ice_temperature[j])
                 volume_j = wp.vec2(liquid_volume[j], ice_volume[j])
                 k = conductivities(alloy, solid_fraction[i], solid_fraction[j])
                 total += pair_heat(k, cubic_spline_slope(wp.dot(d, d), alloy.support), colder_by(T_i, T_j), volume_j)
                 planes = int(mirrors)
                 while planes != 0:
-                    r_squared = image_distance(walls, planes, x_i, position[j])
+                    r_squared = image_distance(neighbours, walls, planes, x_i, position[j])
                     if r_squared < alloy.support * alloy.support:
                         keeper = int(-1)  # a wall of given temperature
                         T = two(T_j[0], T_j[1])  # copies: a plain name would change the particle's own
@@ -223,9 +223,9 @@ def find_fractions(
         if n < neighbours.count[i]:
             j = index_of(entry_of(neighbours, i, n))
         if role[j] != Role.RESERVOIR:
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             W = cubic_spline_value(wp.dot(d, d), alloy.support)
-            W += image_values(walls, mirrors, alloy.support, x_i, position[j])
+            W += image_values(neighbours, walls, mirrors, alloy.support, x_i, position[j])
             liquid += float(liquid_mass[j]) * W
             ice += float(ice_mass[j]) * W
     liquid_density[i] = alloy.value_scale * liquid  # Monaghan et al. (4.11)

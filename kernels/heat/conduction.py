@@ -7,7 +7,7 @@ import warp as wp
 from warpsph.kernels.basics.compensation import compensated_sum
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.specialised import for_each_smoothing_kernel
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -102,13 +102,13 @@ def _sum_heat(slope: wp.Function, sharp: bool) -> Callable[..., None]:
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if role[j] != Role.RESERVOIR:
-                d = x_i - position[j]
+                d = difference(neighbours, x_i, position[j])
                 r_squared = wp.dot(d, d)
                 k_a, k_b = k_i, float(conductivity[j])
                 if wp.static(sharp):
-                    difference = T_i - temperature[j]
-                    k_a = towards(table, material[i], k_i, solid_fraction[i], difference)
-                    k_b = towards(table, material[j], k_b, solid_fraction[j], -difference)
+                    colder = T_i - temperature[j]
+                    k_a = towards(table, material[i], k_i, solid_fraction[i], colder)
+                    k_b = towards(table, material[j], k_b, solid_fraction[j], -colder)
                 k_pair = pair_conductivity(table, material[i], material[j], k_a, k_b, r_squared)
                 total += k_pair * thermal_volume[j] * (T_i - temperature[j]) * slope(r_squared, table.support)
         heat_rate[i] = 2.0 * table.scale * thermal_volume[i] * total  # Vijaykumar (3.2), times the mass

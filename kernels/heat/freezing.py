@@ -7,7 +7,7 @@ from warpsph.kernels.basics.smoothing import cubic_spline_value
 from warpsph.kernels.heat.alloy import AlloyTable
 from warpsph.kernels.heat.mirrors import image_values, mirrors_of
 from warpsph.kernels.heat.walls import HeatWalls
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -135,9 +135,9 @@ def freeze(
         if n < neighbours.count[i]:
             j = index_of(entry_of(neighbours, i, n))
         if role[j] != Role.RESERVOIR:
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             W = cubic_spline_value(wp.dot(d, d), alloy.support)
-            W += image_values(walls, mirrors, alloy.support, x_i, position[j])
+            W += image_values(neighbours, walls, mirrors, alloy.support, x_i, position[j])
             total += wp.float64(W)
     new_ice[i] = ice / total  # Monaghan et al. (4.14)
     new_heat[i] = new_ice[i] * c_i * (T_L - x)  # the parcel is ice: (4.15) with its heat capacity
@@ -168,9 +168,9 @@ def gather_ice(
         if n < neighbours.count[i]:
             j = index_of(entry_of(neighbours, i, n))
         if new_ice[j] > wp.float64(0.0):
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             W = cubic_spline_value(wp.dot(d, d), alloy.support)
-            W += image_values(walls, mirrors, alloy.support, x_i, position[j])
+            W += image_values(neighbours, walls, mirrors, alloy.support, x_i, position[j])
             ice += new_ice[j] * wp.float64(W)  # Monaghan et al. (4.12)
             heat += new_heat[j] * wp.float64(W)  # Monaghan et al. (4.15)
     ice_mass[i] += ice

@@ -9,7 +9,7 @@ from warpsph.kernels.basics.specialised import for_each_smoothing_kernel
 from warpsph.kernels.heat.conduction import CONDUCTING, ThermalTable
 from warpsph.kernels.heat.implicit import ImplicitStep
 from warpsph.kernels.heat.rows import HeatRows
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -83,7 +83,7 @@ def _find_surface(slope: wp.Function) -> Callable[..., None]:
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if role[j] != Role.RESERVOIR:
-                d = position[i] - position[j]
+                d = difference(neighbours, position[i], position[j])
                 weight = gradient_weight(gradient_planes, on, d, slope(wp.dot(d, d), table.support))
                 weight *= table.scale * thermal_volume[j]
                 weights += weight
@@ -157,7 +157,7 @@ def _bind_surface(slope: wp.Function) -> Callable[..., None]:
             j = index_of(neighbours.entry[at])
             weight = float(0.0)
             if role[j] != Role.RESERVOIR:
-                d = position[i] - position[j]
+                d = difference(neighbours, position[i], position[j])
                 weight = gradient_weight(gradient_planes, on, d, slope(wp.dot(d, d), table.support))
                 weight *= factor * table.scale * thermal_volume[j]
             rows.beside[at] = weight

@@ -10,7 +10,7 @@ from warpsph.kernels.heat.implicit import STILL, ImplicitStep
 from warpsph.kernels.heat.mirrors import image_distance, mirrors_of
 from warpsph.kernels.heat.rows import HeatRows
 from warpsph.kernels.heat.walls import HeatWalls
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -100,7 +100,7 @@ def find_alloy_rows(
         beside = wp.mat22d(nothing, nothing, nothing, nothing)
         whole = wp.mat22d(nothing, nothing, nothing, nothing)
         if role[i] != Role.RESERVOIR and role[j] != Role.RESERVOIR:
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             volume_j = wp.vec2(liquid_volume[j], ice_volume[j])
             kappa = conductivities(alloy, solid_fraction[i], solid_fraction[j])
             slope = cubic_spline_slope(wp.dot(d, d), alloy.support)
@@ -112,7 +112,7 @@ def find_alloy_rows(
                         whole[f, g] += weight
             planes = int(mirrors)
             while planes != 0:
-                r_squared = image_distance(walls, planes, x_i, position[j])
+                r_squared = image_distance(neighbours, walls, planes, x_i, position[j])
                 if r_squared < alloy.support * alloy.support:
                     keeper = int(-1)  # a wall of given temperature
                     sign, rest = wp.float64(1.0), wp.float64(0.0)  # the image has sign T_j + rest

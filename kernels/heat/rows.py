@@ -7,7 +7,7 @@ import warp as wp
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.heat.conduction import ThermalTable, for_conducting, pair_conductivity, towards
 from warpsph.kernels.heat.walls import HeatWalls, behind_walls, chain_of, height, how_many, passing_share, supply
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -92,7 +92,7 @@ def _find_rows(slope: wp.Function, sharp: bool) -> Callable[..., None]:
             if near != 0:
                 meets = meets and (walls.behind[i] ^ walls.behind[j]) & near == 0
             whole, beside, mirrored = wp.float64(0.0), wp.float64(0.0), wp.float64(0.0)
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             factor = -2.0 * table.scale * (thermal_volume[i] * thermal_volume[j])
             if meets and k < neighbours.count[i]:
                 r_squared = wp.dot(d, d)

@@ -6,7 +6,7 @@ from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import cubic_spline_slope
 from warpsph.kernels.heat.mirrors import image_slopes, mirrors_of
 from warpsph.kernels.heat.walls import HeatWalls
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -43,9 +43,9 @@ def sum_solute(
         j = index_of(entry_of(neighbours, i, k))
         D_j = liquid_fraction[j] * solute_diffusivity[material[j]]
         if role[j] != Role.RESERVOIR and D_j > 0.0:
-            d = x_i - position[j]
+            d = difference(neighbours, x_i, position[j])
             slope = cubic_spline_slope(wp.dot(d, d), solute_support)
-            slope += image_slopes(solute_walls, mirrors, solute_support, x_i, position[j])
+            slope += image_slopes(neighbours, solute_walls, mirrors, solute_support, x_i, position[j])
             total += 2.0 * D_i * D_j / (D_i + D_j) * thermal_volume[j] * (C_i - solute[j]) * slope
     solute_rate[i] = 2.0 * solute_scale * thermal_volume[i] * total  # Monaghan et al. (2.14), times the mass
 

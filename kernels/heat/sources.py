@@ -7,6 +7,7 @@ import warp as wp
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.specialised import for_each_smoothing_kernel
 from warpsph.kernels.heat.conduction import CONDUCTING
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -18,6 +19,7 @@ def _weigh_parts(value: wp.Function) -> Callable[..., None]:
         first: int,
         support: float,
         source_position: wp.array[wp.vec3],
+        neighbours: NeighbourList,
         position: wp.array[wp.vec3],
         role: wp.array[int],
         thermal_volume: wp.array[float],
@@ -30,7 +32,7 @@ def _weigh_parts(value: wp.Function) -> Callable[..., None]:
         length = (position.shape[0] + wp.static(PARTS) - 1) / wp.static(PARTS)
         total = float(0.0)
         for i in range(part * length, wp.min((part + 1) * length, position.shape[0])):
-            d = position[i] - x
+            d = difference(neighbours, position[i], x)
             if role[i] != Role.RESERVOIR:
                 total += thermal_volume[i] * value(wp.dot(d, d), support)
         source_parts[me] = total
@@ -45,6 +47,7 @@ def _add_heat_of_sources(value: wp.Function) -> Callable[..., None]:
         source_position: wp.array[wp.vec3],
         strength: wp.array[float],
         source_weight: wp.array[float],
+        neighbours: NeighbourList,
         position: wp.array[wp.vec3],
         role: wp.array[int],
         thermal_volume: wp.array[float],
@@ -57,7 +60,7 @@ def _add_heat_of_sources(value: wp.Function) -> Callable[..., None]:
         i = wp.tid() + first
         if role[i] != Role.RESERVOIR:
             for s in range(strength.shape[0]):
-                d = position[i] - source_position[s]
+                d = difference(neighbours, position[i], source_position[s])
                 W = value(wp.dot(d, d), support)
                 if W > 0.0 and source_weight[s] > 0.0:
                     heat_rate[i] += strength[s] * thermal_volume[i] * W / source_weight[s]  # Monaghan (2.10)

@@ -7,7 +7,7 @@ import warp as wp
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.heat.conduction import ThermalTable, for_conducting, pair_conductivity, towards
 from warpsph.kernels.heat.profiles import Profiles, profile_at
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -215,7 +215,7 @@ def _add_heat_of_images(slope: wp.Function, sharp: bool) -> Callable[..., None]:
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if role[j] != Role.RESERVOIR and (walls.behind[i] ^ walls.behind[j]) & near != 0:
-                d = x_i - position[j]
+                d = difference(neighbours, x_i, position[j])
                 r_squared = wp.dot(d, d)
                 k_i, k_j = float(conductivity[i]), float(conductivity[j])
                 if wp.static(sharp):
@@ -242,7 +242,7 @@ def _add_heat_of_images(slope: wp.Function, sharp: bool) -> Callable[..., None]:
                 j = int(i)  # last of all its own image
                 if k < neighbours.count[i]:
                     j = index_of(entry_of(neighbours, i, k))
-                d = x_i - position[j]
+                d = difference(neighbours, x_i, position[j])
                 d_j = wp.max(d_i - normals * d, wp.vec3(0.0, 0.0, 0.0))
                 r_squared = wp.dot(d, d) + 4.0 * wp.dot(wp.max(d_i, wp.vec3(0.0, 0.0, 0.0)), d_j)
                 if r_squared < table.support * table.support and (walls.behind[i] ^ walls.behind[j]) & near == 0:

@@ -5,7 +5,7 @@ import warp as wp
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.machine.exchange import Exchange, bring_in, next_parked, take_out
 from warpsph.kernels.machine.rolls import RollConstants, depth_in_roll
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -142,7 +142,7 @@ def ride(
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if exchange.role[j] == Role.FREE or exchange.role[j] == Role.OUTFLOW:
-                d = x_i - exchange.position[j]
+                d = difference(neighbours, x_i, exchange.position[j])
                 beyond = wp.dot(d, outwards)
                 if wp.length(d - beyond * outwards) < 0.75 * water.spacing:
                     surface = wp.max(surface, away - beyond)

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference_of_doubles, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -60,5 +60,6 @@ def add_pair_forces(
         total = wp.vec3d()
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            total += wp.float64(mass[j]) * pull(pair, x_i - precise_position[j])  # Greenspan (2.7), over m_i
+            d = difference_of_doubles(neighbours, x_i, precise_position[j])
+            total += wp.float64(mass[j]) * pull(pair, d)  # Greenspan (2.7), over m_i
         precise_acceleration[i] += total

@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Phase
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference_of_doubles, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
@@ -23,6 +23,7 @@ def find_means(
     first: int,
     interval: wp.float64,
     steps: wp.array[int],
+    neighbours: NeighbourList,
     precise_position: wp.array[wp.vec3d],
     energy_sum: wp.array[wp.float64],
     place_before: wp.array[wp.vec3d],
@@ -33,7 +34,7 @@ def find_means(
     i = wp.tid() + first
     x = precise_position[i]
     if interval > wp.float64(0.0):
-        u = (x - place_before[i]) / interval  # Greenspan (4.2), of places
+        u = difference_of_doubles(neighbours, x, place_before[i]) / interval  # Greenspan (4.2), of places
         mean_velocity[i] = wp.vec3(float(u[0]), float(u[1]), float(u[2]))
         mean_energy[i] = float(energy_sum[i] / wp.float64(steps[0]))  # Greenspan, section 5
     place_before[i] = x
@@ -73,15 +74,15 @@ def find_solids(
             x_j = precise_position[j]
             if (
                 not solid
-                and wp.length_sq(x_j - x_i) < bond_squared
+                and wp.length_sq(difference_of_doubles(neighbours, x_j, x_i)) < bond_squared
                 and is_calm(j, highest_speed, highest_energy, mean_velocity, mean_energy)
             ):
                 for other in range(k):
                     m = index_of(entry_of(neighbours, i, other))
                     x_m = precise_position[m]
                     if (
-                        wp.length_sq(x_m - x_i) < bond_squared
-                        and wp.length_sq(x_m - x_j) < bond_squared
+                        wp.length_sq(difference_of_doubles(neighbours, x_m, x_i)) < bond_squared
+                        and wp.length_sq(difference_of_doubles(neighbours, x_m, x_j)) < bond_squared
                         and is_calm(m, highest_speed, highest_energy, mean_velocity, mean_energy)
                     ):
                         solid = True

@@ -2,6 +2,8 @@
 
 import warp as wp
 
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference_of_doubles
+
 wp.set_module_options({"enable_backward": False, "fast_math": False})
 
 
@@ -32,6 +34,7 @@ def drive_away(
     source_reach: wp.float64,
     until: wp.array[wp.float64],
     strength: wp.array[wp.float64],
+    neighbours: NeighbourList,
     precise_position: wp.array[wp.vec3d],
     precise_velocity: wp.array[wp.vec3d],
 ):
@@ -42,4 +45,5 @@ def drive_away(
     i = wp.tid() + first
     now = time[0] + wp.float64(0.5) * dt  # a change falls between two steps, however time is rounded
     S = strength_at(now, until, strength)
-    precise_velocity[i] += dt * S * drive(precise_position[i] - source, source_reach)  # Greenspan (4.1)
+    d = difference_of_doubles(neighbours, precise_position[i], source)
+    precise_velocity[i] += dt * S * drive(d, source_reach)  # Greenspan (4.1)

@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Phase
 from warpsph.kernels.basics.smoothing import sine_slope, sine_value
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of, precise_difference
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of, precise_difference
 
 wp.set_module_options({"enable_backward": False})
 
@@ -104,7 +104,7 @@ def update_bonds(
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if phase[j] == Phase.SOLID and body[j] == body[i] and (froze[i] != 0 or froze[j] != 0):
-                d = precise_difference(position, position_carry, i, j)
+                d = precise_difference(neighbours, position, position_carry, i, j)
                 if wp.dot(d, d) < reach * reach:
                     if n < bonds.capacity:
                         X = wp.transpose(turn_of(deformation[i] + deformation[j], planar)) * d
@@ -144,7 +144,7 @@ def join_body(
         deformation[i] = wp.identity(n=3, dtype=float)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
-            d = position[i] - position[j]
+            d = difference(neighbours, position[i], position[j])
             if phase[j] == Phase.SOLID and froze[j] == 0 and wp.dot(d, d) < nearest:
                 nearest = wp.dot(d, d)
                 body[i] = body[j]

@@ -41,7 +41,7 @@ def add_contact_forces(
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             if body[j] != body[i]:
-                d = precise_difference(position, position_carry, i, j)
+                d = precise_difference(neighbours, position, position_carry, i, j)
                 r = wp.max(wp.length(d), NEAREST * contact.reach)
                 depth = wp.max(1.0 - r / contact.reach, 0.0)
                 force += d * (contact.strength * depth * depth * depth * depth / r)

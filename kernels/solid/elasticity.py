@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
-from warpsph.kernels.neighbours.pairs import precise_difference
+from warpsph.kernels.neighbours.pairs import NeighbourList, precise_difference
 from warpsph.kernels.solid.bonds import BondList
 from warpsph.kernels.solid.strain import ElasticConstants, gradient_of_bonds
 
@@ -25,6 +25,7 @@ def find_stress(
     first: int,
     elastic: ElasticConstants,
     bonds: BondList,
+    neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     position_carry: wp.array[wp.vec3],
     body_volume: wp.array[float],
@@ -40,7 +41,7 @@ def find_stress(
     """
     i = wp.tid() + first
     if bonds.count[i] > 0:
-        gradient = gradient_of_bonds(bonds, i, position, position_carry, body_volume)
+        gradient = gradient_of_bonds(bonds, i, neighbours, position, position_carry, body_volume)
         identity = wp.identity(n=3, dtype=float)
         of_bonds = identity + gradient * correction[i]
         F = of_bonds * settled[i]
@@ -55,6 +56,7 @@ def add_elastic_forces(
     first: int,
     elastic: ElasticConstants,
     bonds: BondList,
+    neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     position_carry: wp.array[wp.vec3],
     role: wp.array[int],
@@ -87,7 +89,7 @@ def add_elastic_forces(
             force += (P_i + stress[j]) * (X * (v_j * bonds.slope[place]))
             if elastic.hourglass > 0.0:
                 # Ganzenmueller (2015), equations 17-20
-                x = precise_difference(position, position_carry, i, j)
+                x = precise_difference(neighbours, position, position_carry, i, j)
                 miss = wp.dot(F_X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
                 weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
                 force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)

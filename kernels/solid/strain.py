@@ -2,7 +2,7 @@
 
 import warp as wp
 
-from warpsph.kernels.neighbours.pairs import precise_difference
+from warpsph.kernels.neighbours.pairs import NeighbourList, precise_difference
 from warpsph.kernels.solid.bonds import CHANGED, SMALLEST_VOLUME, UNCHANGED, BondList
 
 wp.set_module_options({"enable_backward": False})
@@ -60,6 +60,7 @@ def inverse_of_moment(moment: wp.mat33) -> wp.mat33:
 def gradient_of_bonds(
     bonds: BondList,
     i: int,
+    neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     position_carry: wp.array[wp.vec3],
     body_volume: wp.array[float],
@@ -73,7 +74,7 @@ def gradient_of_bonds(
         place = i * bonds.capacity + b
         j = bonds.partner[place]
         X = bonds.separation[place]
-        u_ij = X - precise_difference(position, position_carry, i, j)  # Vijaykumar (4.6)
+        u_ij = X - precise_difference(neighbours, position, position_carry, i, j)  # Vijaykumar (4.6)
         gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
     return gradient
 
@@ -113,6 +114,7 @@ def keep_strain(
     first: int,
     elastic: ElasticConstants,
     bonds: BondList,
+    neighbours: NeighbourList,
     position: wp.array[wp.vec3],
     position_carry: wp.array[wp.vec3],
     mass: wp.array[float],
@@ -138,7 +140,7 @@ def keep_strain(
         before = wp.identity(n=3, dtype=float)
         if rebonded[i] == CHANGED:
             before = deformation[i] * settled[i]
-        gradient = gradient_of_bonds(bonds, i, position, position_carry, body_volume)
+        gradient = gradient_of_bonds(bonds, i, neighbours, position, position_carry, body_volume)
         modulus = elastic.lame_lambda + 2.0 * elastic.lame_mu
         stiffest = elastic.highest_frequency_squared * mass[i] / (modulus * body_volume[i])
         C = wp.identity(n=3, dtype=float)

@@ -8,6 +8,7 @@ import numpy as np
 
 from warpsph.core.lattice import Lattice
 from warpsph.core.materials import Material
+from warpsph.core.periodic import PeriodicBox
 from warpsph.errors import InputError, number, numbers, require
 from warpsph.nearest import did_you_mean
 
@@ -27,6 +28,7 @@ class Model:
         terms: physics and parts of the machine, instances of :class:`warpsph.core.term.Term`, in any order.
         support_ratio: support radius of the smoothing kernels over the spacing, H / dx.
         gravity: [m/s^2].
+        periodic: the box that is periodic, if there is one.
 
     Raises:
         InputError: an argument is out of bounds, or two materials have the same name.
@@ -38,6 +40,7 @@ class Model:
     terms: tuple[Any, ...] = ()
     support_ratio: float = 2.6
     gravity: tuple[float, float, float] = (0.0, -GRAVITY, 0.0)
+    periodic: PeriodicBox | None = None
 
     def __post_init__(self) -> None:
         require(self, "dimension", self.dimension in (2, 3), "2 or 3")
@@ -49,6 +52,10 @@ class Model:
         require(self, "terms", isinstance(self.terms, tuple | list), "a tuple of terms")
         planar = self.dimension == 2 and self.gravity[2] != 0.0
         require(self, "gravity", not planar, "in the plane: its third number is 0 in two dimensions")
+        box = self.periodic
+        require(self, "periodic", box is None or isinstance(box, PeriodicBox), "a PeriodicBox, or None")
+        deep = box is not None and self.dimension == 2 and 2 in box.axes
+        require(self, "periodic", not deep, "a box in the plane: the third of its lengths is 0 in two dimensions")
         several = isinstance(self.materials, tuple | list) and len(self.materials) > 0
         whole = several and all(isinstance(material, Material) for material in self.materials)
         require(self, "materials", whole, "a tuple of one material or more")

@@ -75,7 +75,10 @@ class HeatSources(Term):
         there = particles.position[particles.role != Role.RESERVOIR]
         support = model.the(Conduction).lattice(model).support
         for source in self.sources:
-            if not np.any(np.linalg.norm(there - np.asarray(source.position, float), axis=1) < support):
+            way = there - np.asarray(source.position, float)
+            if model.periodic is not None:
+                way = model.periodic.nearest(way)
+            if not np.any(np.linalg.norm(way, axis=1) < support):
                 place = ", ".join(f"{x:g}" for x in source.position)
                 raise InputError(f"HeatSources: no particle within {support:.4g} m of the source at ({place}) m")
         return {}
