@@ -9,13 +9,17 @@ wp.set_module_options({"enable_backward": False})
 
 @wp.struct
 class Grid:
-    """A box of cells. Particles outside it belong to the nearest cell, which keeps neighbours in adjacent cells."""
+    """A box of cells. Particles outside it belong to the nearest cell, which keeps neighbours in adjacent cells.
+
+    ``wraps`` is 1 along axes on which the last cell is beside the first one.
+    """
 
     origin: wp.vec3
-    inverse_size: float
+    inverse_size: wp.vec3
     nx: int
     ny: int
     nz: int
+    wraps: wp.vec3i
 
 
 @wp.func
@@ -27,10 +31,35 @@ def cell_coordinate(x: float, inverse_size: float, n: int) -> int:
 def cell_of(grid: Grid, x: wp.vec3) -> wp.vec3i:
     d = x - grid.origin
     return wp.vec3i(
-        cell_coordinate(d[0], grid.inverse_size, grid.nx),
-        cell_coordinate(d[1], grid.inverse_size, grid.ny),
-        cell_coordinate(d[2], grid.inverse_size, grid.nz),
+        cell_coordinate(d[0], grid.inverse_size[0], grid.nx),
+        cell_coordinate(d[1], grid.inverse_size[1], grid.ny),
+        cell_coordinate(d[2], grid.inverse_size[2], grid.nz),
     )
+
+
+@wp.func
+def along(c: int, n: int, wraps: int) -> int:
+    """Which of ``n`` cells along an axis is the one at ``c``, -1 where there is none."""
+    if c >= 0 and c < n:
+        return c
+    return wp.where(wraps != 0, (c + n) % n, -1)
+
+
+@wp.func
+def number_of(grid: Grid, c: wp.vec3i) -> int:
+    return (c[2] * grid.ny + c[1]) * grid.nx + c[0]
+
+
+@wp.func
+def cell_beside(grid: Grid, c: wp.vec3i, place: int) -> int:
+    """Number of one of the 27 cells around ``c``, itself among them, in rising order; -1 where there is none.
+
+    A grid that wraps has three cells or more along that axis, so that no cell stands at two places.
+    """
+    x = along(c[0] + place % 3 - 1, grid.nx, grid.wraps[0])
+    y = along(c[1] + place // 3 % 3 - 1, grid.ny, grid.wraps[1])
+    z = along(c[2] + place // 9 - 1, grid.nz, grid.wraps[2])
+    return wp.where(x < 0 or y < 0 or z < 0, -1, number_of(grid, wp.vec3i(x, y, z)))
 
 
 @wp.kernel
@@ -47,8 +76,7 @@ def find_cells(
     if role[i] == Role.RESERVOIR:
         cell[i] = grid.nx * grid.ny * grid.nz + material[i]
     else:
-        c = cell_of(grid, position[i])
-        cell[i] = (c[2] * grid.ny + c[1]) * grid.nx + c[0]
+        cell[i] = number_of(grid, cell_of(grid, position[i]))
 
 
 @wp.kernel

@@ -3,8 +3,8 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
-from warpsph.kernels.neighbours.cells import Grid, cell_of
-from warpsph.kernels.neighbours.pairs import NeighbourList
+from warpsph.kernels.neighbours.cells import Grid, cell_beside, cell_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference
 
 wp.set_module_options({"enable_backward": False})
 
@@ -30,13 +30,11 @@ def list_neighbours(
     if role[i] != Role.RESERVOIR:
         x_i = position[i]
         c = cell_of(grid, x_i)
-        low = wp.max(c[0] - 1, 0)
-        high = wp.min(c[0] + 1, grid.nx - 1)
-        for z in range(wp.max(c[2] - 1, 0), wp.min(c[2] + 2, grid.nz)):
-            for y in range(wp.max(c[1] - 1, 0), wp.min(c[1] + 2, grid.ny)):
-                row = (z * grid.ny + y) * grid.nx
-                for j in range(start[row + low], start[row + high + 1]):
-                    d = x_i - position[j]
+        for place in range(27):
+            cell = cell_beside(grid, c, place)
+            if cell >= 0:
+                for j in range(start[cell], start[cell + 1]):
+                    d = difference(neighbours, x_i, position[j])
                     if (
                         wp.dot(d, d) < radius * radius
                         and j != i

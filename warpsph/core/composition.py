@@ -15,7 +15,7 @@ def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
     Motion is added where no term provides one, and dynamics where a term needs forces.
 
     Raises:
-        InputError: terms exclude each other, or one lacks what it needs.
+        InputError: terms exclude each other, one lacks what it needs, or stands where the box is periodic.
     """
     terms: list[Term] = []
     for term in (*model.terms, *parts):
@@ -36,6 +36,7 @@ def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
             if what not in provided:
                 raise InputError(f"{_name(term)} needs {what} in the same case: {_remedy(what)}")
         _refuse_missing_partners(term, terms)
+        _refuse_periodic(term, model)
     return replace(model, terms=tuple(_ordered(terms)))
 
 
@@ -55,6 +56,16 @@ def _refuse_missing_partners(term: Term, terms: list[Term]) -> None:
         partner = getattr(term, name)
         if isinstance(partner, Term) and not any(partner is other for other in terms):
             raise InputError(f"{_name(term)}: its {name}, a {_name(partner)}, is missing in the case; add it")
+
+
+def _refuse_periodic(term: Term, model: Model) -> None:
+    """What has one place in space along an axis would have to be there once more in each period."""
+    for axis in model.periodic.axes if model.periodic else ():
+        if axis in term.bounded_axes(model):
+            raise InputError(
+                f"{_name(term)} has one place along {'xyz'[axis]}, so the box cannot be periodic there; give "
+                f"PeriodicBox a length of 0 along {'xyz'[axis]}, or drop the {_name(term)}"
+            )
 
 
 def _ordered(terms: list[Term]) -> list[Term]:

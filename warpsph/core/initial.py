@@ -113,7 +113,7 @@ def _identity(model: Model, particles: Particles) -> dict[str, np.ndarray]:
         "id": np.arange(len(particles)),
         "role": particles.role,
         "material": material,
-        "position": particles.position,
+        "position": particles.position if model.periodic is None else model.periodic.wrapped(particles.position),
         "mass": densities[material] * volume,
     }
 

@@ -6,8 +6,12 @@ import warp as wp
 
 from warpsph.core.field import Field
 from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.periodic import box_constants
+from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.kernels.basics.motion import advance_clock, drift, watch
+from warpsph.kernels.neighbours.wrapping import wrap
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,6 +27,12 @@ class Motion(Term):
     position = Field(wp.vec3, "m", "position", compensated=True)
     velocity = Field(wp.vec3, "m/s", "velocity", written=True)
     mass = Field(float, "kg", "mass (per metre of depth in 2D)")
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        return box_constants(model.periodic)
+
+    def wrap(self, launch: Launch) -> None:
+        launch(wrap)
 
     def kick(self, launch: Launch) -> None:
         launch.whole(advance_clock)

@@ -7,6 +7,7 @@ import warp as wp
 
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
+from warpsph.core.periodic import PeriodicBox
 from warpsph.core.state import State
 from warpsph.errors import DivergenceError, InputError
 from warpsph.kernels.neighbours.cells import (
@@ -40,12 +41,14 @@ class Neighbours:
         state: the particles; they are sorted by cell at every renewal.
         reach: farthest distance of two neighbours [m].
         skin: added to the reach [m].
-        lower, upper: the box (3,) that holds most particles [m]; others are found too, only slower.
+        lower, upper: the box (3,) that holds most particles [m]; others are found too, only slower. Along periodic axes
+            it is that of the model.
+        before_sorting: done before particles are sorted.
         on_sorted: done when the particles have been sorted; ``order`` and ``place`` are known to its launches.
         on_listed: done when the list has been made.
 
     Raises:
-        InputError: the box is too large for the reach.
+        InputError: the box is too large for the reach, or a period of it too short.
     """
 
     def __init__(
@@ -57,13 +60,14 @@ class Neighbours:
         skin: float,
         lower: np.ndarray,
         upper: np.ndarray,
+        before_sorting: Callable[[], None] = lambda: None,
         on_sorted: Callable[[], None] = lambda: None,
         on_listed: Callable[[], None] = lambda: None,
     ):
         self.state = state
         self.radius, self.half_skin = reach + skin, 0.5 * skin
-        self._on_sorted, self._on_listed = on_sorted, on_listed
-        self.grid = _grid(np.asarray(lower, float), np.asarray(upper, float), self.radius)
+        self._before_sorting, self._on_sorted, self._on_listed = before_sorting, on_sorted, on_listed
+        self.grid = _grid(np.asarray(lower, float), np.asarray(upper, float), self.radius, model.periodic)
         self._cells = self.grid.nx * self.grid.ny * self.grid.nz
         self._places = self._cells + len(model.materials)
         self._hold_arrays(launch.executor.on_cuda, model)
@@ -87,6 +91,7 @@ class Neighbours:
         refuse_overflow(self.state.longest_row, self.state.neighbours.capacity, self.state)
 
     def _renew(self) -> None:
+        self._before_sorting()
         self._sort_into_cells()
         with self.launch.section():
             for dtype, array, spare in self._moves:
@@ -122,6 +127,9 @@ class Neighbours:
         rows.capacity = int(1.6 * per_volume) + 8
         rows.count = wp.zeros(n, dtype=int, device=state.device)
         rows.entry = wp.zeros(n * rows.capacity, dtype=int, device=state.device)
+        if model.periodic is not None:
+            rows.periodic = 1
+            rows.period, rows.inverse_period = wp.vec3(*model.periodic.lengths), wp.vec3(*model.periodic.inverse)
         rows.row_stride, rows.entry_stride = (1, n) if on_cuda else (rows.capacity, 1)
         state.hold_list("neighbours", rows)
         state.hold("reference", wp.zeros(n, dtype=wp.vec3, device=state.device))
@@ -144,16 +152,21 @@ def refuse_overflow(longest: wp.array, capacity: int, state: State) -> None:
         )
 
 
-def _grid(lower: np.ndarray, upper: np.ndarray, size: float) -> Grid:
+def _grid(lower: np.ndarray, upper: np.ndarray, radius: float, periodic: PeriodicBox | None) -> Grid:
+    """Cells as wide as ``radius`` [m] from ``lower`` to ``upper``; along periodic axes a whole number of wider ones."""
+    cells, size = np.maximum(np.ceil((upper - lower) / radius), 1.0), np.full(3, radius)
     grid = Grid()
-    grid.origin = wp.vec3(*lower)
-    grid.inverse_size = 1.0 / size
-    cells = np.maximum(np.ceil((upper - lower) / size), 1.0)
+    if periodic is not None:
+        axes = list(periodic.axes)
+        cells[axes] = periodic.cells(radius)[axes]
+        size[axes] = periodic.edges[axes] / cells[axes]
+        lower = np.where(periodic.edges > 0.0, periodic.lower, lower)
+        grid.wraps = wp.vec3i(*(int(axis in axes) for axis in range(3)))
+    grid.origin, grid.inverse_size = wp.vec3(*lower), wp.vec3(*(1.0 / size))
     if np.prod(cells) > MOST_CELLS:
         raise InputError(
-            f"the box from {tuple(lower)} to {tuple(upper)} m has {np.prod(cells):.2g} cells of {size:.3g} m, "
+            f"the box from {tuple(lower)} to {tuple(upper)} m has {np.prod(cells):.2g} cells of {radius:.3g} m, "
             f"{MOST_CELLS:.2g} at most; give lower and upper around where most particles are"
         )
-    shape = cells.astype(int)
-    grid.nx, grid.ny, grid.nz = (int(m) for m in shape)
+    grid.nx, grid.ny, grid.nz = (int(m) for m in cells)
     return grid

@@ -73,6 +73,7 @@ class Solver:
             skin * model.spacing,
             lower,
             upper,
+            before_sorting=lambda: self.act("wrap"),
             on_sorted=lambda: self.act("follow_sorting"),
             on_listed=lambda: self.act("follow_listing"),
         )
@@ -82,8 +83,10 @@ class Solver:
         launches = [self.launch.within(term.arrays, term.constants(model, state)) for term in terms]
         self._acts = {
             moment: [(term, launch) for term, launch in zip(terms, launches, strict=True) if acts_at(term, moment)]
-            for moment in (*MOMENTS, "initialise", "follow_sorting", "follow_listing")
+            for moment in (*MOMENTS, "initialise", "wrap", "follow_sorting", "follow_listing")
         }
+        if model.periodic is None:
+            self._acts["wrap"] = []
         self.terms = terms
 
     @property

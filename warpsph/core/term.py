@@ -123,11 +123,18 @@ class Term:
     def change_phases(self, launch: Launch) -> None:
         """Change phases, and what hangs on them."""
 
+    def wrap(self, launch: Launch) -> None:
+        """Bring places into the periodic box, before particles are sorted; only where there is one."""
+
     def follow_sorting(self, launch: Launch) -> None:
         """Follow the particles to their new places: ``order`` and ``place`` say where they came from and went."""
 
     def follow_listing(self, launch: Launch) -> None:
         """Act on a neighbour list that has just been made."""
+
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        """The axes (0, 1, 2) along which it has one place in space: along them the box cannot be periodic."""
+        return ()
 
     def summary(self) -> dict[str, str]:
         """What is to be said of it at the end of a run, by a few words."""

@@ -9,6 +9,7 @@ import warp as wp
 from warpsph.core.field import Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
+from warpsph.core.periodic import axes_across
 from warpsph.core.state import State
 from warpsph.errors import number, numbers, require
 from warpsph.kernels.machine.inlet import InletConstants, lead, pour
@@ -50,6 +51,9 @@ class Inlet(ExchangePart):
 
     travel = Value(float, "m", "way of the last row from the start of the nozzle")
     missing = Value(int, "", "particles that the reservoir could not give")
+
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return axes_across(self.direction)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         constants = InletConstants()

@@ -76,6 +76,9 @@ class LevelGauge(Term):
         """rho g [Pa/m] of that column."""
         return self.mean_density(model) * float(np.linalg.norm(model.gravity))
 
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return (1,)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         weight = self.pressure_per_height(model)
         column = np.asarray(self.high, float) - np.asarray(self.low, float)

@@ -38,6 +38,9 @@ class OscillatingMould(Term):
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         return {"rest_position": fields["position"]}
 
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return (1,)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"amplitude": 0.5 * self.stroke, "frequency": self.frequency}
 

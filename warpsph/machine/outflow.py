@@ -35,6 +35,9 @@ class Outflow(ExchangePart):
         require(self, "end", number(self.end) <= self.begin, "a height [m] that is not above begin")
         require(self, "width", 0.0 < number(self.width) < np.inf, "positive [m]")
 
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return (1,)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return super().constants(model, state) | {
             "pressure_per_height": self.gauge.pressure_per_height(model),

@@ -41,6 +41,9 @@ class Rolls(Term):
     needs = ("elasticity",)
     follows = ("fluid",)
 
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return (0, 1, 2)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"rolls": self.pack(model, state)}
 

@@ -92,6 +92,9 @@ class Spray(ExchangePart):
     caught = Value(int, "", "particles of water that the strand has closed over")
     missing = Value(int, "", "particles that the reservoir could not give")
 
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return (0, 1, 2)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         zones = SprayZones()
         for name in ("low", "high", "rate", "off"):

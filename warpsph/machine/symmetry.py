@@ -10,6 +10,7 @@ from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
+from warpsph.core.periodic import axes_across
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import number, numbers, require
@@ -38,6 +39,9 @@ class SymmetryPlane(Term):
     def add_dummies(self, particles: Particles, points: np.ndarray, material: str) -> None:
         """Add fixed dummies at ``points`` (n, 3) [m] behind the plane; they slip and conduct no heat."""
         particles.add(points, Role.DUMMY, material)
+
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return axes_across(self.normal)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"normal": wp.vec3(*self.normal), "offset": self.offset, "reach": model.spacing}

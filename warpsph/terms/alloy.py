@@ -14,6 +14,7 @@ from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
+from warpsph.core.periodic import axes_across
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError, number, require
@@ -145,6 +146,9 @@ class Alloy(Term):
         self.arrays["wall_rate"] = state.hold("alloy.wall_rate", rate, scratch=True)
         if isinstance(self.integrator, Implicit):
             self.__dict__["_implicit"] = ImplicitHeat(self.integrator, AlloyEquations(len(self.walls)), state)
+
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return axes_across(*(wall.normal for wall in self.walls))
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         mirrors: Any = planes(self.walls, model, state.device)

@@ -15,6 +15,7 @@ from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
+from warpsph.core.periodic import axes_across
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, require
@@ -127,6 +128,9 @@ class Conduction(Term):
             self.__dict__["_implicit"] = ImplicitHeat(self.integrator, self._equations(model), state)
         if self.walls:
             self.arrays.update(hold_walls(self.walls, state))
+
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return axes_across(*(wall.normal for wall in self.walls))
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {

@@ -37,6 +37,9 @@ class Floor(Term):
 
     needs = ("precise motion",)
 
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return (1,)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         base = FloorConstants()
         base.cold, base.hot = wp.float64(self.restitution), wp.float64(self.hot)

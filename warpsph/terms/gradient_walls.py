@@ -12,6 +12,7 @@ from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
+from warpsph.core.periodic import axes_across
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError, require
@@ -77,6 +78,9 @@ class GradientWalls(Term):
                     "are all of one kind"
                 )
         return {"on_gradient_walls": on, "held": (fields["held"] != 0) | (on != 0)}
+
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return axes_across(*(wall.normal for wall in self.walls))
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         conduction = model.the(Conduction)

@@ -61,6 +61,9 @@ class Lamp(Term):
             raise InputError("Lamp: its rays lie in the plane; give it to a model of two dimensions")
         return {}
 
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return (0, 1, 2)
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         lamp = LampConstants()
         lamp.place = wp.vec3d(*self.position)

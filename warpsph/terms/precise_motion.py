@@ -10,10 +10,12 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.motion import Motion
 from warpsph.core.particles import Particles
+from warpsph.core.periodic import box_constants
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError
 from warpsph.kernels.basics.motion import advance_clock, watch
+from warpsph.kernels.neighbours.wrapping import wrap_precisely
 from warpsph.kernels.particles.motion import drift_precisely, fall_precisely, keep_step, kick_precisely, show
 
 
@@ -47,7 +49,11 @@ class PreciseMotion(Term):
         return {"precise_position": fields["position"], "precise_velocity": fields["velocity"]}
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        return {"precise_gravity": wp.vec3d(*model.gravity)}
+        return {"precise_gravity": wp.vec3d(*model.gravity)} | box_constants(model.periodic)
+
+    def wrap(self, launch: Launch) -> None:
+        launch(wrap_precisely)
+        launch(show)
 
     def sum_forces(self, launch: Launch) -> None:
         launch(fall_precisely)

@@ -10,6 +10,7 @@ from warpsph.core.field import Field
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
+from warpsph.core.periodic import axes_across
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError, number, require
@@ -60,6 +61,9 @@ class Solute(Term):
         volume = np.where(particles.volume > 0.0, particles.volume, model.cell_volume)
         liquid = fields["liquid_mass"] if "liquid_mass" in particles.given else fields["mass"]
         return {"thermal_volume": volume, "liquid_mass": liquid, "solute_mass": fraction * liquid}
+
+    def bounded_axes(self, model: Model) -> tuple[int, ...]:
+        return axes_across(*(wall.normal for wall in self.walls))
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         scale = normalisation(SMOOTHING_KERNEL, model.dimension, model.support)
