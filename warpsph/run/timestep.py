@@ -10,6 +10,8 @@ from warpsph.errors import InputError, number
 
 Limits = dict[str, float]
 
+ROUNDING = 1.0e-9  # relative; what a number of steps times their length may differ from the length of them all
+
 
 @dataclass(frozen=True)
 class StepPlan:
@@ -57,7 +59,7 @@ def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_fac
         longest = _choose(dt, steps)
         if intervals:
             shortest = min(intervals.values())
-            heat_every = max(int(shortest / longest), 1)
+            heat_every = max(int(shortest / longest * (1.0 + ROUNDING)), 1)
             longest = min(longest, shortest)
     if not np.isfinite(longest):
         raise InputError("dt: nothing limits the time step of this case; give one")
@@ -83,6 +85,6 @@ def _choose(dt: float | None, limits: Limits) -> float:
         return longest
     if not 0.0 < number(dt) < np.inf:
         raise InputError(f"dt = {dt!r}: must be positive [s]")
-    if dt > longest * (1.0 + 1e-9):
+    if dt > longest * (1.0 + ROUNDING):
         raise InputError(f"time step {dt:.3g} s is too long; limits: {listed(limits)}")
     return dt

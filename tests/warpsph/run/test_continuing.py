@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import fluid_material, melting_material
+from warpsph.core.materials import fluid_material, melting_material, solid_material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.errors import InputError
@@ -13,9 +13,9 @@ from warpsph.files.results import ResultFile
 from warpsph.run.progress import Progress
 from warpsph.run.schedule import Schedule
 from warpsph.run.simulation import Simulation
-from warpsph.run.timestep import StepPlan
+from warpsph.run.timestep import StepPlan, plan_steps
 from warpsph.scenarios import HeatGaussian
-from warpsph.terms import Conduction, Fluid, PhaseChange, SummedDensity
+from warpsph.terms import BondedPhase, Conduction, Fluid, PairPotential, PhaseChange, PreciseMotion, SummedDensity
 
 DX = 0.004
 
@@ -132,6 +132,16 @@ def test_the_last_steps_are_shorter_not_longer():
         assert total == pytest.approx(duration, rel=1e-12)
         assert schedule.time == duration
         assert schedule.steps_done == steps
+
+
+@pytest.mark.parametrize(("count", "dt"), [(49, 1e-4), (29, 1e-5), (53, 3e-4), (1000, 1e-4)])
+def test_a_cycle_has_as_many_steps_as_were_asked_for(count, dt):
+    """If it failed, a mean over 49 steps would be one over 48, by steps of half the length."""
+    terms = (PreciseMotion(), PairPotential(2500.0, 2900.0, 4, 6, 1.5), BondedPhase(1.5, count * dt, 7.5))
+    plan = plan_steps(Model(2, 1.0, (solid_material("particles", 1.0),), terms, 1.2), (0,), dt, 1.0)
+    schedule = Schedule(plan, 0.0, 20 * count * dt, 2 * count * dt)
+    assert schedule.cycle_steps.count == count
+    assert schedule.cycle_steps.dt == pytest.approx(dt, rel=1e-12)
 
 
 @pytest.mark.parametrize(
