@@ -7,12 +7,13 @@ import warp as wp
 
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
+from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import number, require
+from warpsph.errors import InputError, number, require
 from warpsph.kernels.particles.pair_forces import PairConstants, add_pair_forces
 
-ROUNDING = 1.0e-4  # of the reach: what single precision may lose of a distance
+ROUNDING = 1.0e-4  # relative; what single precision may lose of a distance, or a mass
 BEYOND_ESCAPE = 100.0  # times the speed that frees a bound pair: nothing but a step that is too long gives it
 
 
@@ -26,7 +27,7 @@ class PairPotential(Term):
         attraction_exponent: beta, a whole number of at least 2.
         repulsion_exponent: alpha, a whole number above beta.
         cutoff: distance [m] beyond which there is no force.
-        mass: of the lightest particle [kg], for the longest step.
+        mass: of the heaviest particle [kg], for the longest step and the speed limit; heavier ones are refused.
     """
 
     attraction: float
@@ -64,6 +65,12 @@ class PairPotential(Term):
         """Work [J] that parts a pair of 1 kg each at its rest length."""
         r, alpha, beta = self.rest_length, self.repulsion_exponent, self.attraction_exponent
         return self.attraction * r ** (1 - beta) * (1.0 / (beta - 1) - 1.0 / (alpha - 1))
+
+    def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        heaviest = float(np.max(fields["mass"]))
+        if heaviest > self.mass * (1.0 + ROUNDING):
+            raise InputError(f"PairPotential: mass = {self.mass}: must be the heaviest particle's, {heaviest:g} kg")
+        return {}
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         pair = PairConstants()

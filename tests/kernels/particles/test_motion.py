@@ -1,5 +1,7 @@
 """Motion in double precision, forces of pairs, the floor and the source."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -16,14 +18,16 @@ POTENTIAL = PairPotential(2500.0, 2900.0, 4, 6, cutoff=1.5)
 DT = 1e-4
 
 
-def simulation(device: str, places, *terms, velocities=(0.0, 0.0, 0.0), gravity=(0.0, 0.0, 0.0), dimension=2):
-    """Particles of 1 kg with the bond of the triangle."""
+def simulation(
+    device: str, places, *terms, velocities=(0.0, 0.0, 0.0), gravity=(0.0, 0.0, 0.0), dimension=2, mass=1.0, dt=DT
+):
+    """Particles of 1 kg, or another ``mass``, with the bond of the triangle."""
     model = Model(
         dimension, 1.077, (solid_material("particles", 1.0),), (PreciseMotion(), *terms), 1.2, gravity=gravity
     )
     particles = Particles()
-    particles.add(np.asarray(places, float), Role.FREE, velocity=np.asarray(velocities, float), mass=1.0)
-    return Simulation(Executor(device, threads=None if device != "cpu" else 1), model, particles, dt=DT)
+    particles.add(np.asarray(places, float), Role.FREE, velocity=np.asarray(velocities, float), mass=mass)
+    return Simulation(Executor(device, threads=None if device != "cpu" else 1), model, particles, dt=dt)
 
 
 def forces_of_all_pairs(places: np.ndarray, potential: PairPotential) -> np.ndarray:
@@ -117,6 +121,19 @@ def test_lengths_depth_and_stiffness_of_the_bond():
     assert -(force(r + h) - force(r - h)) / (2 * h) == pytest.approx(POTENTIAL.stiffness, rel=1e-6)
     distances = np.linspace(r, 200.0, 2_000_001)
     assert -np.trapezoid(force(distances), distances) == pytest.approx(POTENTIAL.depth, rel=1e-4)
+
+
+def test_the_step_follows_from_the_heaviest_particle():
+    """If it failed, heavy particles, which pull the harder, would make a body burst at the step that is allowed."""
+    x, y = (axis.ravel() for axis in np.meshgrid(np.arange(5), np.arange(5)))
+    places = POTENTIAL.rest_length * np.column_stack([x + 0.5 * (y % 2), np.sqrt(0.75) * y, 0.0 * x])
+    places[:, :2] += np.random.default_rng(1).uniform(-0.01, 0.01, (25, 2))
+    mass = np.where(x == 2, 100.0, 1.0)
+    with pytest.raises(InputError, match=r"mass = 1.0: must be the heaviest particle's, 100 kg"):
+        simulation("cpu", places, POTENTIAL, mass=mass, dt=None)
+    sim = simulation("cpu", places, replace(POTENTIAL, mass=100.0), mass=mass, dt=None)
+    sim.run(1.0, 1.0)
+    assert np.abs(by_id(sim, "precise_position") - places).max() < 0.1 * POTENTIAL.rest_length
 
 
 @pytest.mark.parametrize(
