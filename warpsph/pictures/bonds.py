@@ -13,9 +13,11 @@ from warpsph.files.results import ResultFile
 from warpsph.pictures.parts import Fields
 
 MOST = 2000  # particles, above which single bonds could not be told apart
+SHORTEST = 15.0  # bond that is drawn [points]; lines of shorter ones would cover the particles
 INK = "#26292e"
 SHRUNK = 0.3  # diameter of a particle over the one without bonds
 ARROW = 0.9  # length over that of a bond
+SHAFT = 0.04  # its width over the length of a bond
 
 
 @dataclass(frozen=True)
@@ -31,12 +33,13 @@ class Bonds:
     fast: float | None
 
 
-def bonds_of(result: ResultFile, particles: int) -> Bonds | None:
-    """The bonds of a run in the plane that has some and is small enough to show them."""
+def bonds_of(result: ResultFile, particles: int, scale: float) -> Bonds | None:
+    """The bonds of a run in the plane that has some, where a picture of ``scale`` [points/m] has room for them."""
     known = result.provenance
     if "bond" not in known or known.get("dimension") != 2 or particles > MOST:
         return None
-    return Bonds(float(known["bond"]), known.get("fast"))
+    length = float(known["bond"])
+    return Bonds(length, known.get("fast")) if scale * length >= SHORTEST else None
 
 
 def bonded_pairs(points: np.ndarray, fields: Fields, bonds: Bonds) -> np.ndarray:
@@ -59,8 +62,7 @@ def draw_bonds(axes: Axes, points: np.ndarray, fields: Fields, bonds: Bonds) -> 
         fast = (fields["phase"] != Phase.SOLID) & (speed > bonds.fast)
         if np.any(fast):
             tips = ARROW * bonds.length * velocity[fast] / speed[fast, None]
-            arrows = axes.quiver(
-                *points[fast, :2].T, *tips.T, angles="xy", scale_units="xy", scale=1.0, color=INK, width=0.008
-            )
+            metres: dict[str, Any] = {"angles": "xy", "scale_units": "xy", "scale": 1.0, "units": "xy"}
+            arrows = axes.quiver(*points[fast, :2].T, *tips.T, color=INK, width=SHAFT * bonds.length, **metres)
             drawn.append(arrows)
     return drawn

@@ -55,10 +55,11 @@ class Drawing:
             raise InputError(f"cut = z={cut[1]:g}: this run is two-dimensional and has no depth; cut along x or y")
         if cut is not None and not any(len(points) for points, _ in frames.values()):
             raise InputError(f"cut = {'xyz'[cut[0]]}={cut[1]:g}: all particles lie beyond it")
-        self.bonds = bonds_of(result, max(len(points) for points, _ in frames.values()))
         self.look = choose_look(result, field, list(frames.values()))
         self.view = make_view(result, [frames[k] for k in drawn])
         self.sheet = Sheet(self.view, self.look, panels, long_side, dots_per_inch, float(result.times[-1]))
+        most = max(len(points) for points, _ in frames.values())
+        self.bonds = bonds_of(result, most, self.sheet.scale)
 
     def draw(self, panel: int, k: int) -> None:
         """Draw frame ``k`` into a panel."""

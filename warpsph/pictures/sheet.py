@@ -67,6 +67,11 @@ class Sheet:
         self._text(key_left, key_top, "\n".join(title), weight="bold")
         self._draw_key(look, key_left, key_top - heading, max(layout.room, key - LINE) - heading)
 
+    @property
+    def scale(self) -> float:
+        """Points (1/72 inch) for a unit of the view [1/m]."""
+        return 72.0 * self.size[0] / self.figure.dpi / (self._view.right - self._view.left)
+
     def show(self, panel: int, image: np.ndarray, time: float) -> None:
         """Put the painted particles (height, width, 3) uint8 of ``time`` [s] into a panel."""
         _, picture, title = self._panels[panel]

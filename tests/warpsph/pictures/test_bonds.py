@@ -4,7 +4,10 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from warpsph.core.labels import Phase
+from warpsph.files.results import ResultFile
 from warpsph.pictures.bonds import Bonds, bonded_pairs, bonds_of, draw_bonds
+from warpsph.pictures.drawing import Drawing
+from warpsph.scenarios.bonded_solid.melting_block import MeltingBlock
 
 POINTS = np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.5, 0.9, 0.0), (0.5, -0.9, 0.0), (9.0, 0.0, 0.0)])
 FIELDS = {
@@ -33,5 +36,20 @@ def test_only_small_runs_in_the_plane_show_bonds():
     class File:
         provenance = {"bond": 1.5, "dimension": 2}
 
-    assert bonds_of(File(), 28) == Bonds(1.5, None)
-    assert bonds_of(File(), 100_000) is None
+    assert bonds_of(File(), 28, scale=20.0) == Bonds(1.5, None)
+    assert bonds_of(File(), 100_000, scale=20.0) is None
+
+
+def test_bonds_do_not_cover_the_particles_of_a_body_that_is_small_in_the_picture(tmp_path):
+    """If it failed, a block whose melt has flown far would be black, whatever its phases and colours."""
+    path = tmp_path / "block.vtkhdf"
+    case = MeltingBlock(columns=30, rows=10, settling=0.1, duration=0.2, output_interval=0.1)
+    case.run(device="cpu", output=path)
+    result = ResultFile(path)
+    with_bonds = Drawing(result, [0], None, 1, 10.0, 100)
+    assert with_bonds.bonds is not None
+    assert Drawing(result, [0], None, 1, 3.0, 100).bonds is None
+    wide = Figure(figsize=(10.0, 1.0)).add_subplot(xlim=(0.0, 1000.0))
+    _, arrows = draw_bonds(wide, POINTS, FIELDS, Bonds(1.5, 2.0))
+    assert arrows.units == "xy"
+    assert arrows.width < 0.1 * 1.5
