@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterable
 from typing import Literal
 
 import numpy as np
+from pydantic import model_validator
 
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
@@ -42,6 +43,16 @@ class MeltingRectangle(ParticleSolid):
     highest_energy: float = parameter(
         25.0, "kg ft^2/s^2", "mean kinetic energy from which on a particle is fluid", gt=0, le=1e6
     )
+
+    @model_validator(mode="after")
+    def _check_floor(self) -> "MeltingRectangle":
+        least = self.hot - 2.0 * self.hot_slope * self.hot_half_width
+        if least < 0.0:
+            raise ValueError(
+                f"hot_slope = {self.hot_slope} 1/ft: the right end of the hot floor would give back {least:.4g} of the "
+                f"speed, less than nothing, with hot = {self.hot} and hot_half_width = {self.hot_half_width} ft"
+            )
+        return self
 
     def build(self, executor: Executor) -> Simulation:
         floor = Floor(self.restitution, self.hot, self.hot_slope / FOOT, FOOT * self.hot_half_width)

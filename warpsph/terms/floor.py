@@ -12,6 +12,8 @@ from warpsph.core.term import Term
 from warpsph.errors import number, require
 from warpsph.kernels.particles.floor import FloorConstants, reflect
 
+ROUNDING = 1.0e-12  # of the share that is given back, where a slope in other units ends at 0
+
 
 @dataclass(frozen=True, eq=False)
 class Floor(Term):
@@ -33,7 +35,12 @@ class Floor(Term):
         for name in ("restitution", "hot", "hot_half_width"):
             require(self, name, 0.0 <= number(getattr(self, name)) < np.inf, "zero or positive")
         least = self.hot - 2.0 * number(self.slope) * self.hot_half_width
-        require(self, "slope", least >= 0.0, "so small that the floor gives back a share of at least 0 everywhere")
+        require(
+            self,
+            "slope",
+            least >= -ROUNDING * self.hot,
+            "so small that the floor gives back a share of at least 0 everywhere",
+        )
 
     needs = ("precise motion",)
 

@@ -1,8 +1,11 @@
 """The rectangle on a hot floor."""
 
 import numpy as np
+import pytest
 
 from warpsph.cases.case import preset_layer, resolve
+from warpsph.core.executor import Executor
+from warpsph.errors import InputError
 from warpsph.scenarios.bonded_solid.melting_rectangle import MeltingRectangle
 from warpsph.scenarios.bonded_solid.outcome import Outcome
 from warpsph.scenarios.bonded_solid.particle_solid import FOOT
@@ -37,6 +40,19 @@ def test_the_equations_are_those_of_the_paper(device):
     result = type(case)(**case.model_dump() | {"duration": 0.2}).run(device=device)
     places = result.fields["precise_position"][:, :2] / FOOT
     assert np.abs(places - all_pairs(published("rectangle"), 0.2)).max() < 1e-10
+
+
+@pytest.mark.parametrize("changes", [{"hot": 0.1}, {"hot_slope": 0.2}, {"hot_half_width": 40.0}])
+def test_a_floor_that_would_give_back_less_than_nothing_is_refused(changes):
+    """If it failed, the message would name numbers in metres that nobody gave."""
+    with pytest.raises(InputError, match=r"hot_slope = .* 1/ft: the right end of the hot floor") as caught:
+        MeltingRectangle(**{"hot_half_width": 5.0} | changes)
+    assert "\n" not in str(caught.value)
+
+
+def test_a_floor_may_give_back_nothing_at_its_right_end():
+    """If it failed, rounding between feet and metres would refuse 0.12 - 0.02 * 6."""
+    MeltingRectangle(hot=0.12, hot_slope=0.02, hot_half_width=3.0).build(Executor("cpu", 1))
 
 
 def test_without_heat_it_stays_solid_and_symmetric(device):
