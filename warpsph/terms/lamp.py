@@ -41,6 +41,7 @@ class Lamp(Term):
         require(self, "radius", 0.0 < number(self.radius) < np.inf, "positive [m]")
         require(self, "rays", isinstance(self.rays, int) and 8 <= self.rays <= 2**24, "a whole number from 8 to 2^24")
 
+    provides = ("the light that particles take",)  # of one lamp; a second one would overwrite it
     needs = ("precise motion",)
 
     light = Field(float, "W", "heat taken from the lamp", written=True, colours="inferno")

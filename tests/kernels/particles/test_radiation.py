@@ -52,6 +52,12 @@ def test_a_closed_ring_takes_all_and_leaves_nothing(device):
     assert np.all(light[60:] == 0.0)
 
 
+def test_a_second_lamp_is_refused():
+    """If it failed, the light of the first would be lost and that of the second be given twice."""
+    with pytest.raises(InputError, match="Lamp and Lamp exclude each other"):
+        lit("cpu", [(4.0, 0.0, 0.0)], (0.0, 0.0, 0.0), Lamp((9.0, 0.0, 0.0), 100.0, radius=0.5))
+
+
 def test_heat_becomes_kinetic_energy(device):
     """If it failed, a particle would gain another energy than the lamp has given."""
     for velocity in ((0.0, 0.0, 0.0), (0.0, 0.3, 0.0)):
