@@ -1,6 +1,6 @@
 """A source of heat that drives particles away from itself."""
 
-from collections.abc import Sequence
+from collections.abc import Sequence, Sized
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,8 +33,9 @@ class DrivingSource(Term):
     def __post_init__(self) -> None:
         require(self, "position", bool(np.all(np.isfinite(numbers(self.position, 3)))), "three numbers [m]")
         require(self, "source_reach", 0.0 < number(self.source_reach) < np.inf, "positive [m]")
-        count = len(self.strengths)
-        require(self, "strengths", bool(np.all(np.isfinite(numbers(self.strengths, count)))), "numbers [m^3/s^2]")
+        count = len(self.strengths) if isinstance(self.strengths, Sized) else -1
+        listed = count >= 0 and bool(np.all(np.isfinite(numbers(self.strengths, count))))
+        require(self, "strengths", listed, "a list of numbers [m^3/s^2]")
         until = numbers(self.until, count)
         rising = bool(np.all(np.diff((0.0, *until)) > 0.0))
         require(self, "until", rising, "as many rising times [s] as there are strengths")

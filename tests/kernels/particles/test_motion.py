@@ -144,6 +144,9 @@ def test_the_step_follows_from_the_heaviest_particle():
         (lambda: Floor(-0.1), "restitution = -0.1: must be zero or positive"),
         (lambda: Floor(0.1, 1.0, 0.5, 5.0), "slope = 0.5: must be so small"),
         (lambda: DrivingSource((0, 0, 0), 1.0, (1.0, 2.0), (2.0, 1.0)), "until = .*: must be as many rising times"),
+        (lambda: DrivingSource((0, 0, 0), 1.0, 2.0, 1.0), "strengths = 2.0: must be a list of numbers"),
+        (lambda: DrivingSource((0, 0, 0), 1.0, [1.0, [2.0]], [1.0, 2.0]), "strengths = .*: must be a list of numbers"),
+        (lambda: DrivingSource((0, 0, 0), 1.0, (2.0,), 1.0), "until = 1.0: must be as many rising times"),
     ],
 )
 def test_wrong_numbers_are_refused_in_one_line(make, words):
