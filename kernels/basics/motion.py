@@ -44,6 +44,31 @@ def drift(
 
 
 @wp.kernel
+def kick_half(first: int, dt: float, role: wp.array[int], acceleration: wp.array[wp.vec3], velocity: wp.array[wp.vec3]):
+    """Add half of ``acceleration * dt`` to the velocity (n,) [m/s] of free particles."""
+    i = wp.tid() + first
+    if role[i] == Role.FREE:
+        velocity[i] += acceleration[i] * (0.5 * dt)
+
+
+@wp.kernel
+def drift_half(
+    first: int,
+    dt: float,
+    role: wp.array[int],
+    velocity: wp.array[wp.vec3],
+    position: wp.array[wp.vec3],
+    position_carry: wp.array[wp.vec3],
+):
+    """Add half of ``velocity * dt`` to the position (n,) [m], compensated, of all that is not a wall."""
+    i = wp.tid() + first
+    if role[i] != Role.WALL and role[i] != Role.DUMMY and role[i] != Role.RESERVOIR:
+        x, carry = compensated_sum(position[i], velocity[i] * (0.5 * dt), position_carry[i])
+        position[i] = x
+        position_carry[i] = carry
+
+
+@wp.kernel
 def watch(
     first: int,
     role: wp.array[int],

@@ -6,13 +6,15 @@ from warpsph.core.dynamics import Dynamics
 from warpsph.core.model import Model
 from warpsph.core.motion import Motion
 from warpsph.core.term import Term
+from warpsph.core.verlet import Verlet
 from warpsph.errors import InputError
 
 
 def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
     """The model with the parts of a machine among its terms, each after those that it follows.
 
-    Motion is added where no term provides one, and dynamics where a term needs forces.
+    Motion is added where no term provides one, dynamics where a term needs forces, and both as one where a term needs
+    them of second order.
 
     Raises:
         InputError: terms exclude each other, one lacks what it needs, or stands where the box is periodic.
@@ -25,8 +27,8 @@ def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
             if isinstance(getattr(term, relation), str):
                 raise InputError(f"{_name(term)}.{relation} is a text; give a tuple of texts, with a comma at its end")
         terms.append(term)
-    for built_in in (Dynamics(), Motion()):
-        wanted = isinstance(built_in, Motion) or any(set(built_in.provides) & set(term.needs) for term in terms)
+    for built_in, purpose in ((Verlet(), "second-order motion"), (Dynamics(), "forces"), (Motion(), "motion")):
+        wanted = isinstance(built_in, Motion) or any(purpose in term.needs for term in terms)
         if wanted and not any(set(built_in.provides) & set(term.provides) for term in terms):
             terms.insert(0, built_in)
     _refuse_rivals(terms)

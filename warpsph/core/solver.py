@@ -121,7 +121,9 @@ class Solver:
     def step(self) -> None:
         """Advance the flow by one time step."""
         self.neighbours.renew_if_outdated()
+        self._together("set_out")
         self._together("find_density", "prescribe")
+        self._together("arrive")
         self._together("find_walls")
         self._together("sum_forces")
         self._together("add_forces", "kick")

@@ -12,7 +12,7 @@ from warpsph.core.particles import Particles
 from warpsph.core.state import State
 
 MOMENTS = (
-    "find_density", "prescribe", "find_walls", "sum_forces", "add_forces", "kick", "move", "watch",
+    "set_out", "find_density", "prescribe", "arrive", "find_walls", "sum_forces", "add_forces", "kick", "move", "watch",
     "sum_heat", "add_heat", "after_heat", "find_temperature", "change_phases",
 )  # fmt: skip
 
@@ -78,6 +78,9 @@ class Term:
     def initialise(self, launch: Launch) -> None:
         """Bring up to date what follows from the initial state, before phases change for the first time."""
 
+    def set_out(self, launch: Launch) -> None:
+        """Move halfway, before the density is found there; single particles only."""
+
     def find_density(self, launch: Launch) -> None:
         """Find density, pressure and volume of the fluid. May read other particles' positions, masses and velocities.
 
@@ -86,6 +89,9 @@ class Term:
 
     def prescribe(self, launch: Launch) -> None:
         """Set pressure and velocity of the particles that a part leads; single particles only."""
+
+    def arrive(self, launch: Launch) -> None:
+        """Move the other half, after the density was found; single particles only."""
 
     def find_walls(self, launch: Launch) -> None:
         """Find what walls show to the fluid, from density and pressure."""

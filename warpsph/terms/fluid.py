@@ -46,7 +46,7 @@ class Fluid(Term):
         require(self, "reference_density", 0.0 < number(self.reference_density) < np.inf, "positive [kg/m^3]")
         require(self, "sound_speed", 0.0 < number(self.sound_speed) < np.inf, "positive [m/s]")
 
-    provides = ("fluid",)
+    provides = ("fluid", "a flow")
     needs = ("forces", "density")
     follows = ("density",)
 

@@ -1,0 +1,140 @@
+"""Second sweep of the corrected flow: pressure, viscosity, artificial viscosity, and shifting."""
+
+import warp as wp
+
+from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.basics.smoothing import wendland_c2_value
+from warpsph.kernels.flow.corrected.scheme import (
+    INTERIOR,
+    SPRAY_BELOW,
+    SURFACE,
+    FlowConstants,
+    all_eigenvalues_above,
+    correction_of,
+    is_wall,
+    slope_of,
+)
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
+
+wp.set_module_options({"enable_backward": False})
+
+CLUMPING = wp.constant(0.2)  # by which shifting pushes the closest neighbours harder (Monaghan 2000)
+LARGEST_SHIFT = wp.constant(0.25)  # over the highest shifting speed
+VELOCITY_SPREAD = wp.constant(4.0)  # supports' halves over which a gradient makes the speed of shifting
+PUSH = wp.constant(0.5)  # of a wall on what is closer to its face than PUSH_RANGE [c^2 / dx]
+PUSH_RANGE = wp.constant(0.25)  # [dx]
+BRAKE = wp.constant(2.0)  # on what approaches the face within BRAKE_RANGE [c / dx]
+BRAKE_RANGE = wp.constant(0.5)  # [dx]
+
+
+@wp.kernel
+def add_flow_forces(
+    first: int,
+    flow: FlowConstants,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    velocity: wp.array[wp.vec3],
+    ghost_velocity: wp.array[wp.vec3],
+    to_surface: wp.array[wp.vec3],
+    pressure: wp.array[float],
+    viscosity: wp.array[float],
+    mass: wp.array[float],
+    role: wp.array[int],
+    surface: wp.array[int],
+    moment: wp.array[wp.mat33],
+    velocity_gradient: wp.array[wp.mat33],
+    is_near: wp.array[int],
+    shift_velocity: wp.array[wp.vec3],
+    acceleration: wp.array[wp.vec3],
+):
+    """Add the acceleration (n,) [m/s^2] of free particles by pressure and viscosity; write ``shift_velocity`` (n,)
+    [m/s], by which they move besides, and ``is_near`` (n,), whether a neighbour is at the surface.
+    """
+    i = wp.tid() + first
+    if role[i] == Role.FREE:
+        x_i = position[i]
+        u_i = velocity[i]
+        p_i = pressure[i]
+        mu_i = viscosity[i]
+        G_i = velocity_gradient[i]
+        M = moment[i]
+        inside = surface[i] == INTERIOR
+        trace = wp.trace(M)
+        if flow.dimension == 2:
+            trace -= M[2, 2]
+        mean = trace / float(flow.dimension)
+        c_squared = flow.bulk_modulus * flow.volume / mass[i]
+        sound_speed = wp.sqrt(c_squared)
+        artificial = flow.artificial * sound_speed
+        pressed = wp.vec3()
+        sheared = wp.vec3()
+        damped = wp.vec3()
+        crowding = wp.vec3()
+        gathered = wp.vec3()
+        guarded = wp.vec3()
+        near = int(0)
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            d = difference(neighbours, x_i, position[j])
+            r_squared = wp.dot(d, d)
+            if r_squared < flow.support * flow.support:
+                F = slope_of(flow, r_squared)
+                V_grad_W = d * F
+                W = wendland_c2_value(r_squared, flow.support)
+                ratio = W / flow.nearest_weight
+                ratio *= ratio
+                crowding += V_grad_W
+                gathered += V_grad_W * (1.0 + CLUMPING * ratio * ratio)
+                r_squared = wp.max(r_squared, 1.0e-6 * flow.spacing * flow.spacing)
+                u_ij = u_i - velocity[j]
+                mu = mu_i
+                if is_wall(role[j]):
+                    u_ij = u_i - ghost_velocity[j]
+                    if viscosity[j] == 0.0:
+                        mu = 0.0
+                    depth = wp.length(to_surface[j])
+                    normal_j = to_surface[j] / depth
+                    height = (wp.dot(d, normal_j) - depth) / flow.spacing
+                    if height < BRAKE_RANGE:
+                        weight = flow.weight_scale * W
+                        approach = wp.min(wp.dot(u_i - velocity[j], normal_j), 0.0)
+                        held = -BRAKE * sound_speed * approach * (1.0 - height / BRAKE_RANGE)
+                        if height < PUSH_RANGE:
+                            held += PUSH * c_squared * (1.0 - height / PUSH_RANGE)
+                        guarded += normal_j * (weight * held / flow.spacing)
+                else:
+                    mu_j = viscosity[j]
+                    mu = 2.0 * mu_i * mu_j / (mu_i + mu_j + 1.0e-30)
+                    if surface[j] == SURFACE:
+                        near = 1
+                    of_gradient = 0.5 * wp.dot(d, (G_i + velocity_gradient[j]) * d)
+                    q = (wp.dot(u_ij, d) - of_gradient) / r_squared
+                    damped += V_grad_W * (q * (artificial - flow.quadratic * wp.min(q, 0.0)))
+                if inside:
+                    pressed += V_grad_W * (pressure[j] - p_i)
+                    w = 1.0 - flow.anisotropy * (wp.dot(d, M * d) / r_squared - mean)
+                    sheared += (u_ij - G_i * d) * (mu * w * F)
+                else:
+                    pressed += V_grad_W * (pressure[j] + p_i)
+                    sheared += u_ij * (mu * F)
+        L = correction_of(M)
+        normal = wp.normalize(L * crowding)
+        rate = wp.sqrt(wp.ddot(G_i, G_i))
+        fastest = wp.min(VELOCITY_SPREAD * 0.5 * flow.support * rate, flow.highest_shift_speed)
+        shift = gathered * (-flow.shifting * fastest)
+        if not inside:
+            shift -= normal * wp.dot(shift, normal)
+        if not all_eigenvalues_above(M, SPRAY_BELOW):
+            shift = wp.vec3()
+        length = wp.length(shift)
+        if length > LARGEST_SHIFT * fastest:
+            shift *= LARGEST_SHIFT * fastest / length
+        force = sheared * 2.0 - pressed
+        if inside:
+            force = sheared * (2.0 / mean) - L * pressed
+        change = force * (flow.volume / mass[i]) + damped + guarded
+        if inside:
+            change += G_i * shift
+        acceleration[i] += change
+        shift_velocity[i] = shift
+        is_near[i] = near

@@ -1,0 +1,131 @@
+"""First sweep of the corrected flow: moment matrix, gradients, and the rate of compression."""
+
+import warp as wp
+
+from warpsph.kernels.basics.roles import is_fluid
+from warpsph.kernels.flow.corrected.scheme import (
+    INTERIOR,
+    NEAR,
+    SPRAY_BELOW,
+    SURFACE,
+    SURFACE_BELOW,
+    FlowConstants,
+    all_eigenvalues_above,
+    correction_of,
+    is_wall,
+    slope_of,
+)
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
+
+wp.set_module_options({"enable_backward": False})
+
+
+@wp.kernel
+def find_gradients(
+    first: int,
+    flow: FlowConstants,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    velocity: wp.array[wp.vec3],
+    ghost_velocity: wp.array[wp.vec3],
+    compression: wp.array[float],
+    compression_slope: wp.array[wp.vec3],
+    mass: wp.array[float],
+    role: wp.array[int],
+    material: wp.array[int],
+    is_near: wp.array[int],
+    surface: wp.array[int],
+    moment: wp.array[wp.mat33],
+    velocity_gradient: wp.array[wp.mat33],
+    divergence: wp.array[float],
+    compression_rate: wp.array[float],
+    next_slope: wp.array[wp.vec3],
+):
+    """Write what each fluid particle's surroundings say, each (n,): where it is in the fluid (``surface``), its
+    ``moment`` matrix, ``velocity_gradient`` and ``divergence`` [1/s], ``compression_rate`` [1/s] and ``next_slope``,
+    the gradient of the compression [1/m].
+
+    Continuity with the diffusion of delta-SPH (Antuono et al. 2010), gradients corrected by the inverse of the moment
+    matrix M = -sum V x_ij x_ij W'/r (Bonet & Lok 1999). ``compression`` (n,) is rho / rho_0 - 1, and
+    ``compression_slope`` (n,) its gradient one step ago.
+    """
+    i = wp.tid() + first
+    if is_fluid(role[i]):
+        x_i = position[i]
+        u_i = velocity[i]
+        s_i = compression[i]
+        slope_i = compression_slope[i]
+        M = wp.mat33()
+        grad_u = wp.mat33()
+        grad_s = wp.vec3()
+        smoothing = float(0.0)
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            d = difference(neighbours, x_i, position[j])
+            r_squared = wp.dot(d, d)
+            if r_squared < flow.support * flow.support:
+                F = slope_of(flow, r_squared)
+                V_grad_W = d * F
+                u_j = velocity[j]
+                if is_wall(role[j]):
+                    u_j = ghost_velocity[j]
+                    smoothing -= (compression[j] - s_i + wp.dot(slope_i, d)) * F
+                elif material[j] == material[i]:
+                    smoothing -= (compression[j] - s_i + 0.5 * wp.dot(slope_i + compression_slope[j], d)) * F
+                M -= wp.outer(d, V_grad_W)
+                grad_u += wp.outer(u_j - u_i, V_grad_W)
+                grad_s += V_grad_W * (compression[j] - s_i)
+        if flow.dimension == 2:
+            M[2, 2] = 1.0
+        place = INTERIOR
+        if flow.free_surface != 0:
+            if not all_eigenvalues_above(M, SURFACE_BELOW):
+                place = SURFACE
+            elif is_near[i] != 0:
+                place = NEAR
+        L = correction_of(M)
+        corrected = grad_u * L
+        div_u = wp.trace(corrected)
+        if place != INTERIOR:
+            div_u = wp.trace(grad_u)
+        sound_speed = wp.sqrt(flow.bulk_modulus * flow.volume / mass[i])
+        surface[i] = place
+        moment[i] = M
+        velocity_gradient[i] = corrected
+        divergence[i] = div_u
+        compression_rate[i] = flow.diffusion * sound_speed * smoothing - div_u
+        next_slope[i] = L * grad_s
+
+
+@wp.kernel
+def compress(
+    first: int,
+    dt: float,
+    flow: FlowConstants,
+    role: wp.array[int],
+    mass: wp.array[float],
+    surface: wp.array[int],
+    moment: wp.array[wp.mat33],
+    divergence: wp.array[float],
+    compression_rate: wp.array[float],
+    next_slope: wp.array[wp.vec3],
+    compression: wp.array[float],
+    compression_slope: wp.array[wp.vec3],
+    density: wp.array[float],
+    pressure: wp.array[float],
+):
+    """Advance the ``compression`` (n,) of fluid particles by ``dt`` [s]; write its slope, the density [kg/m^3] and the
+    pressure [Pa], each (n,).
+
+    The pressure leads the compression by ``bulk_delay``, which damps sound. What flies alone or lies at a free surface
+    bears no tension.
+    """
+    i = wp.tid() + first
+    if is_fluid(role[i]):
+        s = compression[i] + dt * compression_rate[i]
+        if flow.free_surface != 0 and (surface[i] == SURFACE or not all_eigenvalues_above(moment[i], SPRAY_BELOW)):
+            s = wp.max(s, 0.0)
+        compression[i] = s
+        compression_slope[i] = next_slope[i]
+        density[i] = mass[i] / flow.volume * (1.0 + s)
+        pressure[i] = flow.bulk_modulus * (s - flow.bulk_delay * divergence[i])

@@ -1,0 +1,72 @@
+"""The constants of the corrected flow, and small functions that several of its sweeps share."""
+
+import warp as wp
+
+from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.basics.smoothing import wendland_c2_slope
+
+wp.set_module_options({"enable_backward": False})
+
+# Where a particle is in the fluid, by the smallest eigenvalue of its moment matrix, which is 1 inside
+INTERIOR = wp.constant(0)
+NEAR = wp.constant(1)  # has a neighbour at the surface
+SURFACE = wp.constant(2)
+SURFACE_BELOW = wp.constant(0.75)
+SPRAY_BELOW = wp.constant(0.4)
+SMALLEST_DETERMINANT = wp.constant(0.3)  # of a moment matrix that is inverted
+
+
+@wp.struct
+class FlowConstants:
+    """Constants of the corrected flow.
+
+    ``support`` H and ``spacing`` dx [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``slope_scale`` and
+    ``weight_scale`` volume times the normalisation of W' and W; ``bulk_modulus`` rho_0 c^2 [Pa]; ``bulk_delay`` tau [s]
+    by which pressure resists compression; ``diffusion`` 2 delta h and ``artificial`` alpha h [m]; ``quadratic`` 2 h^2
+    [m^2]; ``shifting`` 8 h [m]; ``highest_shift_speed`` [m/s]; ``nearest_weight`` W(dx) as a shape; ``anisotropy`` k of
+    the weight of viscosity; ``dimension``; ``free_surface`` 1 where pressure at walls does not fall below zero.
+    """
+
+    support: float
+    spacing: float
+    volume: float
+    slope_scale: float
+    weight_scale: float
+    bulk_modulus: float
+    bulk_delay: float
+    diffusion: float
+    artificial: float
+    quadratic: float
+    shifting: float
+    highest_shift_speed: float
+    nearest_weight: float
+    anisotropy: float
+    dimension: int
+    free_surface: int
+
+
+@wp.func
+def slope_of(flow: FlowConstants, r_squared: float) -> float:
+    """V W'(r) / r, so that V grad W = slope * x_ij; Wendland C2."""
+    return flow.slope_scale * wendland_c2_slope(r_squared, flow.support)
+
+
+@wp.func
+def is_wall(role: int) -> bool:
+    return role == Role.WALL or role == Role.DUMMY
+
+
+@wp.func
+def all_eigenvalues_above(matrix: wp.mat33, bound: float) -> bool:
+    """Whether a symmetric matrix minus ``bound`` times the identity is positive definite (Sylvester's criterion)."""
+    a = matrix - bound * wp.identity(n=3, dtype=float)
+    return a[0, 0] > 0.0 and a[0, 0] * a[1, 1] > a[0, 1] * a[0, 1] and wp.determinant(a) > 0.0
+
+
+@wp.func
+def correction_of(moment: wp.mat33) -> wp.mat33:
+    """The inverse of a moment matrix, the identity where too little surrounds the particle."""
+    correction = wp.identity(n=3, dtype=float)
+    if wp.determinant(moment) > SMALLEST_DETERMINANT:
+        correction = wp.inverse(moment)
+    return correction
