@@ -22,6 +22,7 @@ from warpsph.kernels.flow.corrected.shifting import shift_half
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
 from warpsph.terms.fluid import SOUND_LIMIT, Fluid
 
+SMOOTHING_KERNEL = "wendland_c2"
 ANISOTROPY = {2: 2.0, 3: 2.5}
 SOUND_STEP, VISCOUS_STEP = 1.0, 0.15  # longest steps in dx / c and dx^2 / nu
 
@@ -144,7 +145,7 @@ def flow_constants(model: Model) -> FlowConstants:
     flow.quadratic = 2.0 * h * h
     flow.shifting = fluid.shifting * h
     flow.highest_shift_speed = 0.1 * fluid.sound_speed
-    flow.nearest_weight = float(on_host(smoothing.wendland_c2_value)(dx * dx, H))
+    flow.nearest_weight = float(on_host(getattr(smoothing, f"{SMOOTHING_KERNEL}_value"))(dx * dx, H))
     flow.anisotropy = ANISOTROPY[model.dimension]
     flow.dimension = model.dimension
     flow.free_surface = int(fluid.free_surface)
