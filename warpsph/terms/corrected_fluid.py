@@ -135,9 +135,7 @@ def flow_constants(model: Model) -> FlowConstants:
     h = 0.5 * H
     flow = FlowConstants()
     flow.support, flow.spacing, flow.volume = H, dx, model.cell_volume
-    flow.slope_scale = flow.weight_scale = model.cell_volume * smoothing.normalisation(
-        "wendland_c2", model.dimension, H
-    )
+    flow.scale = model.cell_volume * smoothing.normalisation(SMOOTHING_KERNEL, model.dimension, H)
     flow.bulk_modulus = fluid.reference_density * fluid.sound_speed**2
     flow.bulk_delay = fluid.bulk_delay * h / fluid.sound_speed
     flow.diffusion = 2.0 * fluid.density_diffusion * h
@@ -145,7 +143,8 @@ def flow_constants(model: Model) -> FlowConstants:
     flow.quadratic = 2.0 * h * h
     flow.shifting = fluid.shifting * h
     flow.highest_shift_speed = 0.1 * fluid.sound_speed
-    flow.nearest_weight = float(on_host(getattr(smoothing, f"{SMOOTHING_KERNEL}_value"))(dx * dx, H))
+    nearest = on_host(getattr(smoothing, f"{SMOOTHING_KERNEL}_value"))(dx * dx, H)
+    flow.inverse_nearest = 1.0 / (flow.scale * float(nearest))
     flow.anisotropy = ANISOTROPY[model.dimension]
     flow.dimension = model.dimension
     flow.free_surface = int(fluid.free_surface)

@@ -3,7 +3,6 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
-from warpsph.kernels.basics.smoothing import wendland_c2_value
 from warpsph.kernels.flow.corrected.scheme import (
     INTERIOR,
     SPRAY_BELOW,
@@ -12,7 +11,7 @@ from warpsph.kernels.flow.corrected.scheme import (
     all_eigenvalues_above,
     correction_of,
     is_wall,
-    slope_of,
+    slope_and_weight,
 )
 from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
@@ -73,49 +72,51 @@ def add_flow_forces(
         gathered = wp.vec3()
         guarded = wp.vec3()
         near = int(0)
+        nearest_squared = 1.0e-6 * flow.spacing * flow.spacing
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             d = difference(neighbours, x_i, position[j])
             r_squared = wp.dot(d, d)
             if r_squared < flow.support * flow.support:
-                F = slope_of(flow, r_squared)
+                F, V_W = slope_and_weight(flow, r_squared)
                 V_grad_W = d * F
-                W = wendland_c2_value(r_squared, flow.support)
-                ratio = W / flow.nearest_weight
+                inverse = 1.0 / wp.max(r_squared, nearest_squared)
+                ratio = V_W * flow.inverse_nearest
                 ratio *= ratio
                 crowding += V_grad_W
                 gathered += V_grad_W * (1.0 + CLUMPING * ratio * ratio)
-                r_squared = wp.max(r_squared, 1.0e-6 * flow.spacing * flow.spacing)
-                u_ij = u_i - velocity[j]
+                G_d = G_i * d
+                p_j = pressure[j]
+                mu_j = viscosity[j]
                 mu = mu_i
+                u_ij = u_i - velocity[j]
                 if is_wall(role[j]):
-                    u_ij = u_i - ghost_velocity[j]
-                    if viscosity[j] == 0.0:
+                    if mu_j == 0.0:
                         mu = 0.0
                     depth = wp.length(to_surface[j])
                     normal_j = to_surface[j] / depth
                     height = (wp.dot(d, normal_j) - depth) / flow.spacing
                     if height < BRAKE_RANGE:
-                        weight = flow.weight_scale * W
-                        approach = wp.min(wp.dot(u_i - velocity[j], normal_j), 0.0)
+                        approach = wp.min(wp.dot(u_ij, normal_j), 0.0)
                         held = -BRAKE * sound_speed * approach * (1.0 - height / BRAKE_RANGE)
                         if height < PUSH_RANGE:
                             held += PUSH * c_squared * (1.0 - height / PUSH_RANGE)
-                        guarded += normal_j * (weight * held / flow.spacing)
+                        guarded += normal_j * (V_W * held / flow.spacing)
+                    u_ij = u_i - ghost_velocity[j]
                 else:
-                    mu_j = viscosity[j]
-                    mu = 2.0 * mu_i * mu_j / (mu_i + mu_j + 1.0e-30)
+                    if mu_j != mu_i:
+                        mu = 2.0 * mu_i * mu_j / (mu_i + mu_j)
                     if surface[j] == SURFACE:
                         near = 1
-                    of_gradient = 0.5 * wp.dot(d, (G_i + velocity_gradient[j]) * d)
-                    q = (wp.dot(u_ij, d) - of_gradient) / r_squared
+                    of_gradient = 0.5 * wp.dot(d, G_d + velocity_gradient[j] * d)
+                    q = (wp.dot(u_ij, d) - of_gradient) * inverse
                     damped += V_grad_W * (q * (artificial - flow.quadratic * wp.min(q, 0.0)))
                 if inside:
-                    pressed += V_grad_W * (pressure[j] - p_i)
-                    w = 1.0 - flow.anisotropy * (wp.dot(d, M * d) / r_squared - mean)
-                    sheared += (u_ij - G_i * d) * (mu * w * F)
+                    pressed += V_grad_W * (p_j - p_i)
+                    w = 1.0 - flow.anisotropy * (wp.dot(d, M * d) * inverse - mean)
+                    sheared += (u_ij - G_d) * (mu * w * F)
                 else:
-                    pressed += V_grad_W * (pressure[j] + p_i)
+                    pressed += V_grad_W * (p_j + p_i)
                     sheared += u_ij * (mu * F)
         L = correction_of(M)
         normal = wp.normalize(L * crowding)

@@ -20,18 +20,17 @@ SMALLEST_DETERMINANT = wp.constant(0.3)  # of a moment matrix that is inverted
 class FlowConstants:
     """Constants of the corrected flow.
 
-    ``support`` H and ``spacing`` dx [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``slope_scale`` and
-    ``weight_scale`` volume times the normalisation of W' and W; ``bulk_modulus`` rho_0 c^2 [Pa]; ``bulk_delay`` tau [s]
+    ``support`` H and ``spacing`` dx [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``scale`` volume times
+    the normalisation of W; ``bulk_modulus`` rho_0 c^2 [Pa]; ``bulk_delay`` tau [s]
     by which pressure resists compression; ``diffusion`` 2 delta h and ``artificial`` alpha h [m]; ``quadratic`` 2 h^2
-    [m^2]; ``shifting`` 8 h [m]; ``highest_shift_speed`` [m/s]; ``nearest_weight`` W(dx) as a shape; ``anisotropy`` k of
+    [m^2]; ``shifting`` 8 h [m]; ``highest_shift_speed`` [m/s]; ``inverse_nearest`` 1 / (V W(dx)); ``anisotropy`` k of
     the weight of viscosity; ``dimension``; ``free_surface`` 1 where pressure at walls does not fall below zero.
     """
 
     support: float
     spacing: float
     volume: float
-    slope_scale: float
-    weight_scale: float
+    scale: float
     bulk_modulus: float
     bulk_delay: float
     diffusion: float
@@ -39,7 +38,7 @@ class FlowConstants:
     quadratic: float
     shifting: float
     highest_shift_speed: float
-    nearest_weight: float
+    inverse_nearest: float
     anisotropy: float
     dimension: int
     free_surface: int
@@ -48,7 +47,16 @@ class FlowConstants:
 @wp.func
 def slope_of(flow: FlowConstants, r_squared: float) -> float:
     """V W'(r) / r, so that V grad W = slope * x_ij; Wendland C2."""
-    return flow.slope_scale * wendland_c2_slope(r_squared, flow.support)
+    return flow.scale * wendland_c2_slope(r_squared, flow.support)
+
+
+@wp.func
+def slope_and_weight(flow: FlowConstants, r_squared: float):
+    """V W'(r) / r and V W(r), by one root."""
+    r = wp.sqrt(r_squared)
+    gap = flow.support - r
+    scaled = flow.scale * gap * gap * gap
+    return -20.0 * scaled, scaled * gap * (flow.support + 4.0 * r)
 
 
 @wp.func
