@@ -22,7 +22,9 @@ class BondedPhase(Term):
 
     Args:
         bond: all sides of the triangle are shorter than this [m].
-        interval: time over which the mean velocity is found, and after which phases are found anew [s].
+        interval: time over which the mean velocity is found, and after which phases are found anew [s]. Frames that are
+            closer together, or not whole intervals apart, shorten it until it fits between them; the step is then
+            shortened with it, because an interval keeps its number of steps.
         highest_speed: of a calm particle, by its mean velocity [m/s].
         highest_energy: of a calm particle, below which its mean kinetic energy since the start must be [J].
     """
