@@ -3,6 +3,7 @@
 import warp as wp
 
 from warpsph.kernels.basics.smoothing import spiky_slope
+from warpsph.kernels.flow.corrected.scheme import FlowConstants, slope_of
 from warpsph.kernels.flow.fluid import FluidConstants
 from warpsph.kernels.solid.bonds import BondList
 
@@ -31,3 +32,18 @@ def keep_pressure(
             X = bonds.separation[place]
             slope = spiky_slope(wp.dot(X, X), fluid.support) * fluid.pressure_scale
             bonds.prestress[place] = -(pressure[i] + pressure[j]) * (volume[i] * volume[j]) * slope
+
+
+@wp.kernel
+def keep_flow_pressure(
+    first: int, flow: FlowConstants, bonds: BondList, froze: wp.array[int], pressure: wp.array[float]
+):
+    """Let the bonds of what just ``froze`` press as a pair of fluid and solid did until then; no blow by freezing."""
+    i = wp.tid() + first
+    for b in range(bonds.count[i]):
+        place = i * bonds.capacity + b
+        j = bonds.partner[place]
+        if froze[i] != 0 or froze[j] != 0:
+            X = bonds.separation[place]
+            slope = slope_of(flow, wp.dot(X, X))
+            bonds.prestress[place] = -(pressure[i] + pressure[j]) * flow.volume * slope

@@ -19,7 +19,7 @@ from warpsph.scenarios.casting.feasibility import refuse_what_cannot_hold
 from warpsph.scenarios.casting.machine import MOULD, NOZZLE, PLANE, ROLLS, CastingMachine
 from warpsph.scenarios.casting.observer import CastingObserver
 from warpsph.scenarios.casting.parameters import CastingParameters
-from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity
+from warpsph.terms import Conduction, CorrectedFluid, Elasticity, Fluid, PhaseChange, SummedDensity
 
 
 class Casting(CastingParameters):
@@ -42,9 +42,10 @@ class Casting(CastingParameters):
             (copper.name, WATER.name): 0.0,
             (WATER.name, WATER.name): 0.0,
         }
+        published = (Fluid(self.density, self.sound_speed), SummedDensity())
+        corrected = (CorrectedFluid(self.density, self.sound_speed, free_surface=True),)
         terms = (
-            Fluid(self.density, self.sound_speed),
-            SummedDensity(),
+            *(published if self.formulation == "published" else corrected),
             Conduction(films, longest_interval=self.step, integrator=self.stepping),
             PhaseChange(),
             Elasticity(self.youngs_modulus, self.poisson_ratio, self.elasticity == "corrected"),

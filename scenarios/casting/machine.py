@@ -4,6 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from warpsph.core.faces import way_out_of_boxes, way_to_box
 from warpsph.core.hydrostatics import column_pressure, row_heights
 from warpsph.core.labels import Role
 from warpsph.core.materials import WATER
@@ -36,6 +37,7 @@ class CastingMachine:
 
     def __init__(self, case: CastingParameters):
         self.case = case
+        self.corrected = case.formulation == "corrected"
         self.particles = Particles()
         self.rim = case.mould_top + 0.02
         self.heights = self._row_heights()
@@ -74,7 +76,7 @@ class CastingMachine:
         """Heights [m] of the rows of the strand and of the zone in which it is withdrawn."""
         case, floor = self.case, -OUTFLOW_ROWS * self.case.spacing
         depth = case.level - floor
-        if case.start == "hydrostatic":
+        if case.start == "hydrostatic" and not self.corrected:
             weight = column_pressure(depth, 1.0, GRAVITY, case.sound_speed)
             rows = round(float(weight) / (GRAVITY * case.spacing))
             return floor + row_heights(rows, case.spacing, GRAVITY, case.sound_speed)
@@ -125,11 +127,26 @@ class CastingMachine:
         strand = outside_nozzle & ~withdrawn
         down = (0.0, -case.casting_speed, 0.0)
         steel = case.steel.name
-        particles.add(points[strand], Role.FREE, steel, temperature=temperature[strand], velocity=down)
-        particles.add(points[withdrawn], Role.OUTFLOW, steel, temperature=temperature[withdrawn], velocity=down)
-        particles.add(nozzle.filling(dx), Role.INFLOW, steel, temperature=case.pouring_temperature)
+        for role, chosen in ((Role.FREE, strand), (Role.OUTFLOW, withdrawn)):
+            there = points[chosen]
+            particles.add(
+                there, role, steel, temperature=temperature[chosen], velocity=down, **self._at_rest(there[:, 1])
+            )
+        filling = nozzle.filling(dx)
+        particles.add(filling, Role.INFLOW, steel, temperature=case.pouring_temperature, **self._at_rest(filling[:, 1]))
         reserve = np.tile([[0.0, case.level, 0.0]], (len(points) // 5, 1))
         particles.add(reserve, Role.RESERVOIR, steel, temperature=case.pouring_temperature)
+
+    def _at_rest(self, heights: np.ndarray) -> dict[str, np.ndarray]:
+        """What the corrected flow has at rest at some heights (n,) [m]; the published one has it from its rows."""
+        if not self.corrected:
+            return {}
+        load = GRAVITY * np.maximum(self.case.level - heights, 0.0)
+        return {"compression": load / self.case.sound_speed**2, "pressure": self.case.density * load}
+
+    def _face(self, way: np.ndarray) -> dict[str, np.ndarray]:
+        """The ways (n, 3) [m] of wall particles to their face, which the corrected flow must know."""
+        return {"to_surface": way} if self.corrected else {}
 
     def _add_walls(self, nozzle: Nozzle) -> None:
         """The mould and the rolls at every cold face, and the nozzle's walls."""
@@ -139,12 +156,17 @@ class CastingMachine:
         mould = mould[self._outside(mould, 0.0)]
         outermost = self._outside(mould, (MOULD_LAYERS - 1) * dx)
         face = ~self._outside(mould, dx)
-        particles.add(mould[~face], Role.WALL, MOULD, temperature=COOLING_WATER, held=outermost[~face])
-        for half in (-0.25 * dx, 0.25 * dx):  # rows as near as this make a face that a shell slides over smoothly
+        way = way_to_box(mould, (-np.inf,) * 3, (W, np.inf, W if case.dimension == 3 else np.inf))
+        particles.add(
+            mould[~face], Role.WALL, MOULD, temperature=COOLING_WATER, held=outermost[~face], **self._face(way[~face])
+        )
+        # published, rows as near as this make a face that a shell slides over smoothly
+        for half in (0.0,) if self.corrected else (-0.25 * dx, 0.25 * dx):
             rows = mould[face] + np.array([0.0, half, 0.0])
-            volume = 0.5 * dx**case.dimension
-            particles.add(rows, Role.WALL, MOULD, temperature=COOLING_WATER, volume=volume)
-        particles.add(nozzle.wall_points(dx, case.dimension), Role.DUMMY, NOZZLE)
+            volume = dx**case.dimension * (1.0 if self.corrected else 0.5)
+            particles.add(rows, Role.WALL, MOULD, temperature=COOLING_WATER, volume=volume, **self._face(way[face]))
+        tube = nozzle.wall_points(dx, case.dimension)
+        particles.add(tube, Role.DUMMY, NOZZLE, **self._face(way_out_of_boxes(tube, (*nozzle.walls, nozzle.bore))))
         breadth = W if case.dimension == 3 else 0.0
         rolls = self.rolls.surface(dx, breadth)
         if case.dimension == 3:
@@ -156,9 +178,10 @@ class CastingMachine:
         dx = self.case.spacing
         behind, height = (-DUMMY_LAYERS * dx, 0.0), (-7 * dx, self.rim)
         outside = self.case.half_width + MOULD_LAYERS * dx
-        planes[0].add_dummies(self.particles, self._fill(behind, height, (behind[0], outside)), PLANE)
-        for plane in planes[1:]:
-            plane.add_dummies(self.particles, self._fill((0.0, outside), height, behind), PLANE)
+        places = [self._fill(behind, height, (behind[0], outside)), self._fill((0.0, outside), height, behind)]
+        lower, upper = (0.0, -np.inf, 0.0 if self.case.dimension == 3 else -np.inf), (np.inf,) * 3
+        for plane, points in zip(planes, places, strict=False):
+            plane.add_dummies(self.particles, points, PLANE, **self._face(way_to_box(points, lower, upper)))
 
     def _add_spray(self) -> Spray:
         case = self.case

@@ -78,6 +78,9 @@ class CastingParameters(ConductingScenario):
     spray_failure: float | None = parameter(None, "s", "time at which the failing zones go off; none: never", ge=0)
     spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
 
+    formulation: Literal["published", "corrected"] = parameter(
+        "published", "", "flow: summed density as published, or with corrected gradients"
+    )
     support_ratio: float = parameter(2.6, "", "support of the smoothing kernels over the spacing", ge=2.0, le=4.0)
     step_factor: float = parameter(1.0, "", "time step over the stable one; 2 is the most that holds", gt=0, le=2)
     elasticity: Literal["corrected", "published"] = parameter(

@@ -36,7 +36,7 @@ def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
     for term in terms:
         for what in term.needs:
             if what not in provided:
-                raise InputError(f"{_name(term)} needs {what} in the same case: {_remedy(what)}")
+                raise InputError(f"{_name(term)} needs {what} in the same case: {_remedy(what, term)}")
         _refuse_missing_partners(term, terms)
         _refuse_periodic(term, model)
     return replace(model, terms=tuple(_ordered(terms)))
@@ -87,8 +87,10 @@ def _waits_for(term: Term, other: Term) -> bool:
     return term is not other and bool(needed or set(term.follows) & set(other.provides))
 
 
-def _remedy(what: str) -> str:
-    providers = sorted(kind.__name__ for kind in _kinds(Term) if what in kind.provides)
+def _remedy(what: str, term: Term) -> str:
+    """Who could be added: what provides it without excluding the term that needs it."""
+    kinds = [kind for kind in _kinds(Term) if what in kind.provides and not set(kind.provides) & set(term.provides)]
+    providers = sorted(kind.__name__ for kind in kinds)
     return f"add {' or '.join(providers)}" if providers else "nothing known provides it"
 
 

@@ -6,6 +6,8 @@ import numpy as np
 
 from warpsph.errors import InputError, numbers
 
+BEYOND = 1.0e-6  # of an edge, by which a place is outside a box
+
 
 def way_to_box(points: np.ndarray, lower: Sequence[float], upper: Sequence[float]) -> np.ndarray:
     """The shortest ways (n, 3) [m] from points (n, 3) [m] to a box of fluid: from walls around it to their faces.
@@ -21,3 +23,30 @@ def way_to_box(points: np.ndarray, lower: Sequence[float], upper: Sequence[float
     if not np.all(low <= high):
         raise InputError(f"way_to_box: lower, upper = {lower}, {upper}: must be two corners [m], the lower one first")
     return np.clip(points, low, high) - points
+
+
+def way_out_of_boxes(points: np.ndarray, boxes: Sequence[tuple[Sequence[float], Sequence[float]]]) -> np.ndarray:
+    """The shortest straight ways (n, 3) [m], along an axis, from points (n, 3) [m] out of all of some boxes.
+
+    Args:
+        points: of walls that fluid flows around.
+        boxes: corners (3,) of each [m], the lower one first; those of a wall and of what it encloses.
+    """
+    points = np.asarray(points, float)
+    ways, lengths = np.zeros_like(points), np.full(len(points), np.inf)
+    for face in range(2 * 3):
+        axis, upper = divmod(face, 2)
+        for box in boxes:
+            ends = points.copy()
+            ends[:, axis] = box[upper][axis]
+            beyond = ends.copy()
+            beyond[:, axis] += (2 * upper - 1) * BEYOND * abs(box[1][axis] - box[0][axis])
+            length = np.abs(ends[:, axis] - points[:, axis])
+            shorter = ~_inside(beyond, boxes) & (length < lengths)
+            ways[shorter], lengths[shorter] = (ends - points)[shorter], length[shorter]
+    return ways
+
+
+def _inside(points: np.ndarray, boxes: Sequence[tuple[Sequence[float], Sequence[float]]]) -> np.ndarray:
+    """Which of the points (n, 3) lie in a box."""
+    return np.any([np.all((points >= low) & (points <= high), axis=1) for low, high in boxes], axis=0)

@@ -7,14 +7,13 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Value
-from warpsph.core.hydrostatics import column_pressure
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import number, numbers, require
 from warpsph.kernels.machine.gauge import PARTS, GaugeConstants, control, weigh
-from warpsph.terms.fluid import Fluid
+from warpsph.terms.weakly_compressible import WeaklyCompressible
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,9 +67,7 @@ class LevelGauge(Term):
 
     def mean_density(self, model: Model) -> float:
         """Of the weakly compressible column [kg/m^3] that stands at rest up to the target level."""
-        fluid, gravity = model.the(Fluid), float(np.linalg.norm(model.gravity))
-        weight = column_pressure(self.target_level, fluid.reference_density, gravity, fluid.sound_speed)
-        return float(weight) / (gravity * self.target_level)
+        return model.the(WeaklyCompressible).column_density(model, self.target_level)
 
     def pressure_per_height(self, model: Model) -> float:
         """rho g [Pa/m] of that column."""
@@ -85,7 +82,9 @@ class LevelGauge(Term):
         section = column[0] * (column[2] if model.dimension == 3 else 1.0)
         constants = GaugeConstants()
         constants.low, constants.high = wp.vec3(*self.low), wp.vec3(*self.high)
-        constants.mass_per_height = self.mean_density(model) * section / model.lattice.density()
+        fluid = model.the(WeaklyCompressible)
+        weighed = fluid.particle_mass(model) / (fluid.reference_density * model.cell_volume)
+        constants.mass_per_height = self.mean_density(model) * section * weighed
         constants.response = self.response
         constants.pressure_per_height = weight
         constants.outflow_coefficient = self.casting_speed / (weight * self.target_level)

@@ -36,9 +36,9 @@ class SymmetryPlane(Term):
         require(self, "normal", abs(length - 1.0) < 1e-6, "a unit vector of three numbers")
         require(self, "offset", bool(np.isfinite(number(self.offset))), "a number [m]")
 
-    def add_dummies(self, particles: Particles, points: np.ndarray, material: str) -> None:
+    def add_dummies(self, particles: Particles, points: np.ndarray, material: str, **fields: np.ndarray) -> None:
         """Add fixed dummies at ``points`` (n, 3) [m] behind the plane; they slip and conduct no heat."""
-        particles.add(points, Role.DUMMY, material)
+        particles.add(points, Role.DUMMY, material, **fields)
 
     def bounded_axes(self, model: Model) -> tuple[int, ...]:
         return axes_across(self.normal)

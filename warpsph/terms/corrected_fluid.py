@@ -11,16 +11,18 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
-from warpsph.core.term import Term
 from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics import smoothing
 from warpsph.kernels.basics.host import on_host
-from warpsph.kernels.flow.corrected.forces import add_flow_forces
+from warpsph.kernels.basics.roles import FLUID_ROLES
+from warpsph.kernels.flow.corrected.forces import add_flow_forces, press_on_solids
 from warpsph.kernels.flow.corrected.gradients import compress, find_gradients
-from warpsph.kernels.flow.corrected.scheme import FlowConstants
+from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
 from warpsph.kernels.flow.corrected.shifting import shift_half
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
-from warpsph.terms.fluid import SOUND_LIMIT, Fluid
+from warpsph.kernels.solid.prestress import keep_flow_pressure
+from warpsph.terms.fluid import Fluid
+from warpsph.terms.weakly_compressible import WeaklyCompressible
 
 SMOOTHING_KERNEL = "wendland_c2"
 ANISOTROPY = {2: 2.0, 3: 2.5}
@@ -32,7 +34,7 @@ def _reference_density(model: Model) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class CorrectedFluid(Term):
+class CorrectedFluid(WeaklyCompressible):
     """Weakly compressible flow with gradients that are exact for linear fields, in two sweeps a step.
 
     Density by continuity with the diffusion of delta-SPH (Antuono et al. 2010), pressure differences and viscosity
@@ -49,8 +51,6 @@ class CorrectedFluid(Term):
         shifting: speed by which particles spread evenly, in h times the gradient of their concentration.
     """
 
-    reference_density: float
-    sound_speed: float
     free_surface: bool = False
     density_diffusion: float = 0.1
     artificial_viscosity: float = 0.05
@@ -60,15 +60,17 @@ class CorrectedFluid(Term):
     def __post_init__(self) -> None:
         for name in ("density_diffusion", "artificial_viscosity", "bulk_delay", "shifting"):
             require(self, name, 0.0 <= number(getattr(self, name)) < np.inf, "zero or positive")
-        require(self, "reference_density", 0.0 < number(self.reference_density) < np.inf, "positive [kg/m^3]")
-        require(self, "sound_speed", 0.0 < number(self.sound_speed) < np.inf, "positive [m/s]")
+        super().__post_init__()
 
-    provides = ("a flow",)
-    needs = ("second-order motion",)
+    provides = ("fluid", "density", "a density by continuity")
+    needs = ("forces", "second-order motion")
 
     density = Field(float, "kg/m^3", "density", start=_reference_density, written=True, renewed=True, colours="cividis")
     pressure = Fluid.pressure
     viscosity = Fluid.viscosity
+    volume = Fluid.volume
+    fluid_mass = Fluid.fluid_mass
+    part = Field(int, "", "what it is to the flow: 0 nothing, 1 fluid, 2 solid, 3 wall", kept=False)
     compression = Field(float, "", "density over the reference density, less one", renewed=True)
     compression_slope = Field(wp.vec3, "1/m", "gradient of the compression", renewed=True)
     compression_rate = Field(float, "1/s", "rate of compression", kept=False)
@@ -76,24 +78,37 @@ class CorrectedFluid(Term):
     divergence = Field(float, "1/s", "divergence of the velocity", kept=False)
     velocity_gradient = Field(wp.mat33, "1/s", "gradient of the velocity", kept=False)
     moment = Field(wp.mat33, "", "moment matrix of the neighbours", kept=False)
-    surface = Field(int, "", "0 inside the fluid, 1 near its surface, 2 at it", written=True)
+    surface = Field(int, "", "0 inside the fluid, 1 near its surface, 2 at it")
     is_near = Field(int, "", "whether a neighbour is at the surface", renewed=True)
     shift_velocity = Field(wp.vec3, "m/s", "velocity of the particle beside that of the fluid", renewed=True)
     ghost_velocity = Field(wp.vec3, "m/s", "velocity that a wall shows to the fluid")
     to_surface = Field(wp.vec3, "m", "way from a wall particle to the face of the wall")
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        walls = np.isin(fields["role"], (Role.WALL, Role.DUMMY))
+        walls = np.isin(fields["role"], (Role.WALL, Role.DUMMY)) & particles.flows
         if np.any(np.linalg.norm(fields["to_surface"][walls], axis=1) == 0.0):
             raise InputError("particles: walls need 'to_surface', the way [m] from each to the face of the wall")
+        mass = self.particle_mass(model)
+        moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
         return {
-            "mass": np.full(len(particles), self.reference_density * model.cell_volume),
+            "mass": np.where(moves, mass, fields["mass"]),
+            "fluid_mass": np.where(particles.flows, mass, 0.0),
+            "volume": np.where(particles.flows, model.cell_volume, 0.0),
             "viscosity": np.array([material.viscosity for material in model.materials])[fields["material"]],
             "ghost_velocity": fields["velocity"],
             "density": self.reference_density * (1.0 + fields["compression"]),
         }
 
+    def particle_mass(self, model: Model) -> float:
+        return self.reference_density * model.cell_volume
+
+    def column_density(self, model: Model, depth: float) -> float:
+        return self.reference_density
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
+        return self.device_constants(model)
+
+    def device_constants(self, model: Model) -> dict[str, object]:
         return {"flow": flow_constants(model)}
 
     def reach(self, model: Model) -> float:
@@ -107,13 +122,12 @@ class CorrectedFluid(Term):
             steps["viscosity"] = VISCOUS_STEP * dx**2 * self.reference_density / viscosity
         return steps
 
-    def speed_limit(self, model: Model) -> float:
-        return SOUND_LIMIT * self.sound_speed
-
     def set_out(self, launch: Launch) -> None:
         launch(shift_half)
 
     def find_density(self, launch: Launch) -> None:
+        launch(tell_parts)
+        launch.meet()
         launch(find_gradients)
         launch.meet()
 
@@ -126,6 +140,10 @@ class CorrectedFluid(Term):
 
     def sum_forces(self, launch: Launch) -> None:
         launch(add_flow_forces)
+        launch(press_on_solids)
+
+    def keep_pressure(self, launch: Launch) -> None:
+        launch(keep_flow_pressure)
 
 
 def flow_constants(model: Model) -> FlowConstants:

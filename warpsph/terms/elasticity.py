@@ -32,10 +32,9 @@ from warpsph.kernels.solid.elasticity import (
     find_stress,
     settle_volume,
 )
-from warpsph.kernels.solid.prestress import keep_pressure
 from warpsph.kernels.solid.strain import ElasticConstants, keep_strain
-from warpsph.terms.fluid import Fluid, fluid_constants
 from warpsph.terms.phase_change import PhaseChange
+from warpsph.terms.weakly_compressible import WeaklyCompressible
 
 # In spacings. Where the pressure of the melt is zero particles may freeze almost on top of each other; a stiffness of
 # the hourglass control that grows as the inverse square of such a length would be unstable at any time step.
@@ -129,7 +128,8 @@ class Elasticity(Term):
         scale = normalisation("sine", model.dimension, reach)
         planar = int(model.dimension == 2)
         constants = {"elastic": self._constants(model, state), "reach": reach, "scale": scale, "planar": planar}
-        return constants | ({"fluid": fluid_constants(model)} if model.find(Fluid) else {})
+        fluid = model.find(WeaklyCompressible)
+        return constants | ({"frozen_from": fluid, **fluid.device_constants(model)} if fluid else {})
 
     def reach(self, model: Model) -> float:
         return model.support if self.support_ratio is None else self.support_ratio * model.spacing
@@ -137,7 +137,7 @@ class Elasticity(Term):
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         """The elastic wave, and the melt's sound with it, across half a spacing: bonds may be shorter than one."""
         wave = max((self.wave_speed(model.materials[m].density) for m in moving), default=0.0)
-        if fluid := model.find(Fluid):
+        if fluid := model.find(WeaklyCompressible):
             wave = float(np.hypot(wave, fluid.sound_speed))
         return {"elastic wave": 0.5 * model.spacing / wave} if wave > 0.0 else {}
 
@@ -172,8 +172,8 @@ class Elasticity(Term):
             launch(settle_volume)
         launch(join_body)
         self._bond_solids(launch)
-        if "pressure" in launch:
-            launch(keep_pressure)
+        if "frozen_from" in launch:
+            launch.find("frozen_from").keep_pressure(launch)
 
     def _bond_solids(self, launch: Launch) -> None:
         launch(update_bonds)

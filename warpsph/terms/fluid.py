@@ -6,22 +6,23 @@ import numpy as np
 
 from warpsph.core.equation_of_state import stiffness
 from warpsph.core.field import Field
+from warpsph.core.hydrostatics import column_pressure
 from warpsph.core.labels import Phase, Role
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
-from warpsph.core.term import Term
-from warpsph.errors import InputError, number, require
+from warpsph.errors import InputError
 from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.fluid import FluidConstants
 from warpsph.kernels.flow.forces import add_fluid_forces
 from warpsph.kernels.flow.wall_pressure import extrapolate_pressure
+from warpsph.kernels.solid.prestress import keep_pressure
 from warpsph.terms.phase_change import PhaseChange
+from warpsph.terms.weakly_compressible import WeaklyCompressible
 
 SAME_DENSITY = 1.0e-6  # relative difference
-SOUND_LIMIT = 5.0  # times the speed of sound, at which a run counts as diverged
 
 
 def _reference_density(model: Model) -> float:
@@ -29,24 +30,18 @@ def _reference_density(model: Model) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class Fluid(Term):
+class Fluid(WeaklyCompressible):
     """Weakly compressible flow (Vijaykumar 2012, chapters 1 and 2); a second term finds its density.
 
     Args:
         reference_density: rho_0 [kg/m^3].
-        sound_speed: c_s [m/s].
+        sound_speed: c_s [m/s], ten times the highest speed or more.
         tension: whether pressure may fall below zero; forbid it where there is a free surface.
     """
 
-    reference_density: float
-    sound_speed: float
     tension: bool = False
 
-    def __post_init__(self) -> None:
-        require(self, "reference_density", 0.0 < number(self.reference_density) < np.inf, "positive [kg/m^3]")
-        require(self, "sound_speed", 0.0 < number(self.sound_speed) < np.inf, "positive [m/s]")
-
-    provides = ("fluid", "a flow")
+    provides = ("fluid",)
     needs = ("forces", "density")
     follows = ("density",)
 
@@ -56,10 +51,14 @@ class Fluid(Term):
     viscosity = Field(float, "Pa s", "viscosity")
     fluid_mass = Field(float, "kg", "mass in the sums of the fluid: walls count like it, spray does not")
 
-    @staticmethod
-    def particle_mass(model: Model) -> float:
-        """Mass [kg], per metre of depth in 2D, with which the lattice has the reference density."""
-        return _reference_density(model) * model.cell_volume / model.lattice.density()
+    def particle_mass(self, model: Model) -> float:
+        """That with which the lattice has the reference density."""
+        return self.reference_density * model.cell_volume / model.lattice.density()
+
+    def column_density(self, model: Model, depth: float) -> float:
+        gravity = float(np.linalg.norm(model.gravity))
+        weight = column_pressure(depth, self.reference_density, gravity, self.sound_speed)
+        return float(weight) / (gravity * depth)
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         if np.any(fields["density"] <= 0.0):
@@ -79,6 +78,9 @@ class Fluid(Term):
         }
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
+        return self.device_constants(model)
+
+    def device_constants(self, model: Model) -> dict[str, object]:
         return {"fluid": fluid_constants(model)}
 
     def reach(self, model: Model) -> float:
@@ -101,14 +103,14 @@ class Fluid(Term):
         drag = 2.0 * 4.9633 * viscosity / (h * self.reference_density)
         return {"sound and viscosity (7.6)": 0.5 * h / (self.sound_speed + drag)}
 
-    def speed_limit(self, model: Model) -> float:
-        return SOUND_LIMIT * self.sound_speed
-
     def find_walls(self, launch: Launch) -> None:
         launch(extrapolate_pressure)
 
     def sum_forces(self, launch: Launch) -> None:
         launch(add_fluid_forces)
+
+    def keep_pressure(self, launch: Launch) -> None:
+        launch(keep_pressure)
 
 
 def fluid_constants(model: Model) -> FluidConstants:

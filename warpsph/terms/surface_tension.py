@@ -10,8 +10,8 @@ from warpsph.core.model import Model
 from warpsph.core.state import State
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.surface_tension import SurfaceConstants, add_surface_tension, find_surface_normal
-from warpsph.terms.fluid import Fluid
 from warpsph.terms.tension import Tension
+from warpsph.terms.weakly_compressible import WeaklyCompressible
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +37,7 @@ class SurfaceTension(Tension):
     def _constants(self, model: Model) -> SurfaceConstants:
         """Constants with which the force on a unit of surface is exact on the lattice."""
         constants = SurfaceConstants()
-        rho_0 = model.the(Fluid).reference_density
+        rho_0 = model.the(WeaklyCompressible).reference_density
         constants.support = model.support
         constants.scale = normalisation("poly6", model.dimension, model.support) / rho_0
         constants.threshold = self.threshold / model.support

@@ -7,7 +7,7 @@ import numpy as np
 from warpsph.core.model import Model
 from warpsph.core.term import Term
 from warpsph.errors import number, require
-from warpsph.terms.fluid import Fluid
+from warpsph.terms.weakly_compressible import WeaklyCompressible
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,5 +30,5 @@ class Tension(Term):
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         """That of the shortest capillary wave (Morris 2000)."""
-        inertia = model.the(Fluid).reference_density * (0.5 * model.support) ** 3
+        inertia = model.the(WeaklyCompressible).reference_density * (0.5 * model.support) ** 3
         return {"surface tension": 0.25 * float(np.sqrt(inertia / (2.0 * np.pi * self.coefficient)))}

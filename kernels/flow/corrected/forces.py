@@ -4,13 +4,16 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.flow.corrected.scheme import (
+    FLUID,
     INTERIOR,
+    NOTHING,
+    SOLID,
     SPRAY_BELOW,
     SURFACE,
+    WALL,
     FlowConstants,
     all_eigenvalues_above,
     correction_of,
-    is_wall,
     slope_and_weight,
 )
 from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
@@ -20,10 +23,22 @@ wp.set_module_options({"enable_backward": False})
 CLUMPING = wp.constant(0.2)  # by which shifting pushes the closest neighbours harder (Monaghan 2000)
 LARGEST_SHIFT = wp.constant(0.25)  # over the highest shifting speed
 VELOCITY_SPREAD = wp.constant(4.0)  # supports' halves over which a gradient makes the speed of shifting
-PUSH = wp.constant(0.5)  # of a wall on what is closer to its face than PUSH_RANGE [c^2 / dx]
-PUSH_RANGE = wp.constant(0.25)  # [dx]
-BRAKE = wp.constant(2.0)  # on what approaches the face within BRAKE_RANGE [c / dx]
-BRAKE_RANGE = wp.constant(0.5)  # [dx]
+GUARD = wp.constant(0.1)  # of the particles of a wall on a fluid particle that comes close [c^2 / dx]
+GUARD_RANGE = wp.constant(0.75)  # [dx]
+PUSH = wp.constant(0.5)  # of a wall on a solid that comes close to its face [c^2 / dx]
+STANDING = wp.constant(0.5)  # how close to the face a solid stands [dx]
+
+
+@wp.func
+def stand_on_wall(flow: FlowConstants, d: wp.vec3, to_surface: wp.vec3, sound_speed: float) -> wp.vec3:
+    """Acceleration [m/s^2] of a solid at the way ``d`` [m] from a wall particle, away from the wall's face."""
+    depth = wp.length(to_surface)
+    normal = to_surface / depth
+    height = (wp.dot(d, normal) - depth) / flow.spacing
+    held = float(0.0)
+    if height > -1.0 and height < STANDING:
+        held = PUSH * sound_speed * sound_speed * (1.0 - height / STANDING)
+    return normal * (held / flow.spacing)
 
 
 @wp.kernel
@@ -34,11 +49,11 @@ def add_flow_forces(
     position: wp.array[wp.vec3],
     velocity: wp.array[wp.vec3],
     ghost_velocity: wp.array[wp.vec3],
-    to_surface: wp.array[wp.vec3],
     pressure: wp.array[float],
     viscosity: wp.array[float],
     mass: wp.array[float],
     role: wp.array[int],
+    part: wp.array[int],
     surface: wp.array[int],
     moment: wp.array[wp.mat33],
     velocity_gradient: wp.array[wp.mat33],
@@ -50,7 +65,7 @@ def add_flow_forces(
     [m/s], by which they move besides, and ``is_near`` (n,), whether a neighbour is at the surface.
     """
     i = wp.tid() + first
-    if role[i] == Role.FREE:
+    if role[i] == Role.FREE and part[i] == FLUID:
         x_i = position[i]
         u_i = velocity[i]
         p_i = pressure[i]
@@ -77,7 +92,8 @@ def add_flow_forces(
             j = index_of(entry_of(neighbours, i, k))
             d = difference(neighbours, x_i, position[j])
             r_squared = wp.dot(d, d)
-            if r_squared < flow.support * flow.support:
+            what = part[j]
+            if r_squared < flow.support * flow.support and what != NOTHING:
                 F, V_W = slope_and_weight(flow, r_squared)
                 V_grad_W = d * F
                 inverse = 1.0 / wp.max(r_squared, nearest_squared)
@@ -90,20 +106,14 @@ def add_flow_forces(
                 mu_j = viscosity[j]
                 mu = mu_i
                 u_ij = u_i - velocity[j]
-                if is_wall(role[j]):
+                if what == WALL:
                     if mu_j == 0.0:
                         mu = 0.0
-                    depth = wp.length(to_surface[j])
-                    normal_j = to_surface[j] / depth
-                    height = (wp.dot(d, normal_j) - depth) / flow.spacing
-                    if height < BRAKE_RANGE:
-                        approach = wp.min(wp.dot(u_ij, normal_j), 0.0)
-                        held = -BRAKE * sound_speed * approach * (1.0 - height / BRAKE_RANGE)
-                        if height < PUSH_RANGE:
-                            held += PUSH * c_squared * (1.0 - height / PUSH_RANGE)
-                        guarded += normal_j * (V_W * held / flow.spacing)
+                    r = wp.sqrt(r_squared) / flow.spacing
+                    if r < GUARD_RANGE:
+                        guarded += d * (GUARD * c_squared * (1.0 / r - 1.0 / GUARD_RANGE))
                     u_ij = u_i - ghost_velocity[j]
-                else:
+                elif what == FLUID:
                     if mu_j != mu_i:
                         mu = 2.0 * mu_i * mu_j / (mu_i + mu_j)
                     if surface[j] == SURFACE:
@@ -133,9 +143,56 @@ def add_flow_forces(
         force = sheared * 2.0 - pressed
         if inside:
             force = sheared * (2.0 / mean) - L * pressed
-        change = force * (flow.volume / mass[i]) + damped + guarded
+        change = force * (flow.volume / mass[i]) + damped + guarded / (flow.spacing * flow.spacing)
         if inside:
             change += G_i * shift
         acceleration[i] += change
         shift_velocity[i] = shift
         is_near[i] = near
+
+
+@wp.kernel
+def press_on_solids(
+    first: int,
+    flow: FlowConstants,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    velocity: wp.array[wp.vec3],
+    to_surface: wp.array[wp.vec3],
+    pressure: wp.array[float],
+    viscosity: wp.array[float],
+    mass: wp.array[float],
+    role: wp.array[int],
+    part: wp.array[int],
+    shift_velocity: wp.array[wp.vec3],
+    acceleration: wp.array[wp.vec3],
+):
+    """Add to the acceleration (n,) [m/s^2] of solid particles what the fluid and the walls do to them.
+
+    Each pair of a solid and a fluid particle by the sum of their pressures, so that a face bears just the pressure that
+    the fluid has there.
+    """
+    i = wp.tid() + first
+    if role[i] == Role.FREE and part[i] == SOLID:
+        x_i = position[i]
+        u_i = velocity[i]
+        c = wp.sqrt(flow.bulk_modulus * flow.volume / mass[i])
+        force = wp.vec3()
+        held = wp.vec3()
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            what = part[j]
+            if part[j] == FLUID or part[j] == WALL:
+                d = difference(neighbours, x_i, position[j])
+                r_squared = wp.dot(d, d)
+                if r_squared < flow.support * flow.support:
+                    F, V_W = slope_and_weight(flow, r_squared)
+                    u_ij = u_i - velocity[j]
+                    mu_j = viscosity[j]
+                    if what == WALL:
+                        held += stand_on_wall(flow, d, to_surface[j], c) * V_W
+                    else:
+                        force -= d * (F * (pressure[i] + pressure[j]))
+                    force += u_ij * (2.0 * mu_j * F)
+        acceleration[i] += force * (flow.volume / mass[i]) + held
+        shift_velocity[i] = wp.vec3()

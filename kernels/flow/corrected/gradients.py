@@ -2,17 +2,19 @@
 
 import warp as wp
 
-from warpsph.kernels.basics.roles import is_fluid
+from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.flow.corrected.scheme import (
+    FLUID,
     INTERIOR,
     NEAR,
+    NOTHING,
     SPRAY_BELOW,
     SURFACE,
     SURFACE_BELOW,
+    WALL,
     FlowConstants,
     all_eigenvalues_above,
     correction_of,
-    is_wall,
     slope_of,
 )
 from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
@@ -31,7 +33,7 @@ def find_gradients(
     compression: wp.array[float],
     compression_slope: wp.array[wp.vec3],
     mass: wp.array[float],
-    role: wp.array[int],
+    part: wp.array[int],
     material: wp.array[int],
     is_near: wp.array[int],
     surface: wp.array[int],
@@ -50,7 +52,7 @@ def find_gradients(
     ``compression_slope`` (n,) its gradient one step ago.
     """
     i = wp.tid() + first
-    if is_fluid(role[i]):
+    if part[i] == FLUID:
         x_i = position[i]
         u_i = velocity[i]
         s_i = compression[i]
@@ -63,12 +65,14 @@ def find_gradients(
             j = index_of(entry_of(neighbours, i, k))
             d = difference(neighbours, x_i, position[j])
             r_squared = wp.dot(d, d)
-            if r_squared < flow.support * flow.support:
+            what = part[j]
+            if r_squared < flow.support * flow.support and what != NOTHING:
                 F = slope_of(flow, r_squared)
                 V_grad_W = d * F
                 u_j = velocity[j]
-                if is_wall(role[j]):
+                if what == WALL:
                     u_j = ghost_velocity[j]
+                if what != FLUID:
                     smoothing -= (compression[j] - s_i + wp.dot(slope_i, d)) * F
                 elif material[j] == material[i]:
                     smoothing -= (compression[j] - s_i + 0.5 * wp.dot(slope_i + compression_slope[j], d)) * F
@@ -103,6 +107,7 @@ def compress(
     dt: float,
     flow: FlowConstants,
     role: wp.array[int],
+    part: wp.array[int],
     mass: wp.array[float],
     surface: wp.array[int],
     moment: wp.array[wp.mat33],
@@ -121,11 +126,14 @@ def compress(
     bears no tension.
     """
     i = wp.tid() + first
-    if is_fluid(role[i]):
-        s = compression[i] + dt * compression_rate[i]
-        if flow.free_surface != 0 and (surface[i] == SURFACE or not all_eigenvalues_above(moment[i], SPRAY_BELOW)):
-            s = wp.max(s, 0.0)
-        compression[i] = s
+    if part[i] == FLUID:
+        if role[i] == Role.OUTFLOW:  # another part sets its pressure
+            compression[i] = pressure[i] / flow.bulk_modulus
+        else:
+            s = compression[i] + dt * compression_rate[i]
+            if flow.free_surface != 0 and (surface[i] == SURFACE or not all_eigenvalues_above(moment[i], SPRAY_BELOW)):
+                s = wp.max(s, 0.0)
+            compression[i] = s
+            pressure[i] = flow.bulk_modulus * (s - flow.bulk_delay * divergence[i])
         compression_slope[i] = next_slope[i]
-        density[i] = mass[i] / flow.volume * (1.0 + s)
-        pressure[i] = flow.bulk_modulus * (s - flow.bulk_delay * divergence[i])
+        density[i] = mass[i] / flow.volume * (1.0 + compression[i])

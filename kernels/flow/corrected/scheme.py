@@ -2,10 +2,17 @@
 
 import warp as wp
 
-from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.basics.labels import Phase, Role
+from warpsph.kernels.basics.roles import is_fluid
 from warpsph.kernels.basics.smoothing import wendland_c2_slope
 
 wp.set_module_options({"enable_backward": False})
+
+# What a particle is to the flow
+NOTHING = wp.constant(0)  # spray, rolls, what is in the reservoir
+FLUID = wp.constant(1)
+SOLID = wp.constant(2)  # a particle that froze: a wall that moves, and feels what the fluid does to it
+WALL = wp.constant(3)
 
 # Where a particle is in the fluid, by the smallest eigenvalue of its moment matrix, which is 1 inside
 INTERIOR = wp.constant(0)
@@ -60,11 +67,6 @@ def slope_and_weight(flow: FlowConstants, r_squared: float):
 
 
 @wp.func
-def is_wall(role: int) -> bool:
-    return role == Role.WALL or role == Role.DUMMY
-
-
-@wp.func
 def all_eigenvalues_above(matrix: wp.mat33, bound: float) -> bool:
     """Whether a symmetric matrix minus ``bound`` times the identity is positive definite (Sylvester's criterion)."""
     a = matrix - bound * wp.identity(n=3, dtype=float)
@@ -78,3 +80,16 @@ def correction_of(moment: wp.mat33) -> wp.mat33:
     if wp.determinant(moment) > SMALLEST_DETERMINANT:
         correction = wp.inverse(moment)
     return correction
+
+
+@wp.kernel
+def tell_parts(first: int, role: wp.array[int], phase: wp.array[int], fluid_mass: wp.array[float], part: wp.array[int]):
+    """Write what each particle is to the flow; nothing where it has no ``fluid_mass`` (n,) [kg]."""
+    i = wp.tid() + first
+    what = NOTHING
+    if fluid_mass[i] > 0.0:
+        if role[i] == Role.WALL or role[i] == Role.DUMMY:
+            what = WALL
+        elif is_fluid(role[i]):
+            what = wp.where(phase[i] == Phase.SOLID, SOLID, FLUID)
+    part[i] = what

@@ -36,7 +36,7 @@ REFUSED = [
     ((FLUID, Fluid(1.0, 1.0), SummedDensity()), "Fluid and Fluid exclude each other"),
     ((SummedDensity(),), "SummedDensity needs fluid in the same case: add Fluid"),
     ((PhaseChange(),), "PhaseChange needs conduction in the same case: add Conduction"),
-    ((SurfaceTension(1.0),), "SurfaceTension needs fluid in the same case: add Fluid"),
+    ((SurfaceTension(1.0),), "SurfaceTension needs fluid in the same case: add CorrectedFluid or Fluid"),
     ((FLUID, SummedDensity(), SurfaceTension(1.0)), "SurfaceTension needs a density by continuity.*ContinuityDensity"),
     (
         (FLUID, ContinuityDensity(), SurfaceTension(1.0), ColourFieldTension(1.0)),
@@ -48,7 +48,7 @@ REFUSED = [
         "Outflow: its gauge, a LevelGauge, is mis",
     ),
     ((FLUID, SummedDensity(), GAUGE, INLET), "LevelGauge needs conduction"),
-    ((INLET, GAUGE), "Inlet needs fluid in the same case: add Fluid"),
+    ((INLET, GAUGE), "Inlet needs fluid in the same case: add CorrectedFluid or Fluid"),
     ((OscillatingMould(0.1, 1.0), OscillatingMould(0.1, 2.0)), "OscillatingMould and OscillatingMould exclude"),
     ((Conduction(),) * 2, "exclude each other|stands there twice"),
     ((Elasticity,), "is not a term; give instances"),
