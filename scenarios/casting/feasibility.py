@@ -4,7 +4,7 @@ import numpy as np
 
 from warpsph.core.model import GRAVITY
 from warpsph.errors import InputError
-from warpsph.scenarios.casting.parameters import CastingParameters
+from warpsph.scenarios.casting.parameters import WALL_LAYERS, CastingParameters
 from warpsph.scenarios.casting.travelling_slice import shell_thickness
 
 COMPRESSION = 0.10  # of the melt at the lower end, above which the pressure no longer is that of a fluid
@@ -18,12 +18,13 @@ BULGE = 0.05  # of a shell between two rolls, over their distance
 
 
 def refuse_what_cannot_hold(case: CastingParameters) -> None:
-    """Refuse a speed of sound too low for the depth or too high for the viscosity, more water than there is room for,
-    a shell too thin for the spacing, or too soft for the pressure.
+    """Refuse a nozzle in the shell or the mould, a speed of sound too low for the depth or too high for the viscosity,
+    more water than there is room for, a shell too thin for the spacing, or too soft for the pressure.
 
     Raises:
         InputError: which parameter, and the value that would do.
     """
+    _refuse_wide_nozzle(case)
     lowest = float(np.sqrt(GRAVITY * case.level / COMPRESSION))
     if case.sound_speed < lowest:
         raise InputError(
@@ -44,6 +45,20 @@ def refuse_what_cannot_hold(case: CastingParameters) -> None:
             f"a spray_particle of {_at_least(case.spray_particle * drops / MOST_DROPS)} kg would do"
         )
     _refuse_thin_shell(case)
+
+
+def _refuse_wide_nozzle(case: CastingParameters) -> None:
+    low, high = case.beside_nozzle
+    if low < high:
+        return
+    side = case.nozzle_port == "side"
+    widest = (high - 1 - (0 if side else WALL_LAYERS)) * case.spacing
+    remedy = f"at most {widest:.4g} m would do, or " if widest >= case.spacing else ""
+    key = "nozzle_reach" if side else "nozzle_width"
+    raise InputError(
+        f"{key} = {getattr(case, key):g}: its outer side, {case.nozzle_side:.4g} m from the axis, leaves no melt "
+        f"before the shell and the mould at half_width {case.half_width:g} m; {remedy}a wider strand or a finer spacing"
+    )
 
 
 def _refuse_thin_shell(case: CastingParameters) -> None:

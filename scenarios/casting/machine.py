@@ -85,9 +85,7 @@ class CastingMachine:
     def _gauge(self, nozzle: Nozzle) -> LevelGauge:
         """Weighs a column of whole cells beside the nozzle."""
         case = self.case
-        beside = max(high[0] for _, high in (*nozzle.walls, nozzle.bore))
-        sides = max(0.25 * case.half_width, beside), 0.75 * case.half_width
-        low, high = (round(side / case.spacing) * case.spacing for side in sides)
+        low, high = (cell * case.spacing for cell in case.beside_nozzle)
         depth = (-1.0, 1.0) if case.dimension == 2 else (0.0, high)
         return LevelGauge(
             low=(low, 0.0, depth[0]),

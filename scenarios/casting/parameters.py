@@ -163,6 +163,20 @@ class CastingParameters(ConductingScenario):
         return round(self.nozzle_width / self.spacing) * self.spacing
 
     @property
+    def nozzle_side(self) -> float:
+        """Distance from the axis [m] to which the nozzle reaches, its walls among it."""
+        tube = self.bore + WALL_LAYERS * self.spacing
+        return max(tube, self.nozzle_reach) if self.nozzle_port == "side" else tube
+
+    @property
+    def beside_nozzle(self) -> tuple[int, int]:
+        """The cells from the axis between which the level is gauged, beside the nozzle; none where the first is not
+        below the second."""
+        sides = max(0.25 * self.half_width, self.nozzle_side), 0.75 * self.half_width
+        low, high = (round(side / self.spacing) for side in sides)
+        return low, high
+
+    @property
     def spray_heat_flux(self) -> float:
         """Heat flux [W/m^2] by which the water boils away."""
         return self.spray_flux * float(WATER.enthalpy(SPRAY_BOILED) - WATER.enthalpy(SPRAY_TEMPERATURE))

@@ -40,6 +40,28 @@ def test_the_advice_does(given, key):
         refuse_what_cannot_hold(Casting(**given | {key: value * (1.1 if at_most else 0.9)}))
 
 
+@pytest.mark.parametrize(
+    ("given", "key"),
+    [
+        ({"half_width": 0.02, "nozzle_width": 0.01}, None),
+        ({"half_width": 0.02, "nozzle_width": 0.01, "spacing": 0.002}, "nozzle_width"),
+        ({"half_width": 0.05, "nozzle_width": 0.025}, "nozzle_width"),
+        ({"half_width": 0.05, "nozzle_width": 0.025, "dimension": 3}, "nozzle_width"),
+        ({"half_width": 0.045, "nozzle_port": "side", "nozzle_reach": 0.0311, "nozzle_width": 0.006}, "nozzle_reach"),
+    ],
+)
+def test_a_nozzle_in_the_shell_or_the_mould_is_refused(given, key):
+    """Its walls would stand where the mould's particles are, or a gauge that nobody has asked for would be blamed."""
+    case = Casting(**given)
+    with pytest.raises(InputError, match=r"nozzle_(width|reach) = .* half_width") as refused:
+        case.build(Executor("cpu"))
+    advised = re.search(r"at most ([\d.]+) m would do", str(refused.value))
+    assert (advised is None) == (key is None)
+    if advised:
+        low, high = case.model_copy(update={key: float(advised[1])}).beside_nozzle
+        assert low == high - 1
+
+
 def test_what_holds_is_not_refused():
     """The presets are known to hold."""
     for case in (Casting(), Casting(spacing=0.002), Breakout(), Casting(casting_speed=0.012)):
