@@ -71,32 +71,36 @@ def plane_of(planes: int, rank: int) -> int:
 
 
 @wp.func
+def with_plane(walls: HeatWalls, chain: wp.vec3i, p: int) -> wp.vec3i:
+    """The ``chain`` with plane p before those of a higher conductance and before what stands for none (-1)."""
+    longer = wp.vec3i(chain[0], chain[1], chain[2])
+    place = int(2)
+    while place > 0 and (longer[place - 1] < 0 or walls.conductance[p] < walls.conductance[longer[place - 1]]):
+        longer[place] = longer[place - 1]
+        place -= 1
+    longer[place] = p
+    return longer
+
+
+@wp.func
 def chain_of(walls: HeatWalls, number: int, mirrors: int) -> wp.vec3i:
     """One, two or three of the planes ``mirrors`` (bits), in rising order of their conductance; -1 stands for none.
 
     The order is one for all particles, so it goes by the one conductance of each plane, not by that at their places.
-    Every set of planes has one ``number`` below the cube of their count; other numbers give no plane at all.
+    ``number`` has three digits in the system whose base is the count of planes: ranks a < b < c of planes. Digits aaa
+    are the plane a, abb are two planes, abc three; all others give no plane, so that each set comes once.
     """
     count = how_many(mirrors)
-    first = number // (count * count)
-    second = (number // count) % count
-    third = number % count
-    if second < first or third < second or (second == first and third > second):
-        return wp.vec3i(-1, -1, -1)
-    p, q, r = plane_of(mirrors, first), plane_of(mirrors, second), plane_of(mirrors, third)
-    if q > p and walls.conductance[q] < walls.conductance[p]:
-        softer, stiffer = q, p
-    else:
-        softer, stiffer = p, q
-    if q == p:
-        return wp.vec3i(p, -1, -1)
-    if r == q:
-        return wp.vec3i(softer, stiffer, -1)
-    if walls.conductance[r] < walls.conductance[softer]:
-        return wp.vec3i(r, softer, stiffer)
-    if walls.conductance[r] < walls.conductance[stiffer]:
-        return wp.vec3i(softer, r, stiffer)
-    return wp.vec3i(softer, stiffer, r)
+    a, b, c = number // (count * count), (number // count) % count, number % count
+    chain = wp.vec3i(-1, -1, -1)
+    alone, two, three = a == b and b == c, a < b and b == c, a < b and b < c
+    if alone or two or three:
+        chain = with_plane(walls, chain, plane_of(mirrors, a))
+    if two or three:
+        chain = with_plane(walls, chain, plane_of(mirrors, b))
+    if three:
+        chain = with_plane(walls, chain, plane_of(mirrors, c))
+    return chain
 
 
 @wp.func
