@@ -12,12 +12,21 @@ wp.set_module_options({"enable_backward": False})
 
 @wp.kernel
 def settle_volume(
-    first: int, froze: wp.array[int], mass: wp.array[float], density: wp.array[float], body_volume: wp.array[float]
+    first: int,
+    reference_density: float,
+    froze: wp.array[int],
+    mass: wp.array[float],
+    density: wp.array[float],
+    body_volume: wp.array[float],
 ):
-    """Fix the body volume (n,) [m^3, or m^2 in 2D] of particles that just ``froze`` (Vijaykumar 2012, section 4.2)."""
+    """Fix the body volume (n,) [m^3, or m^2 in 2D] of particles that just ``froze`` (Vijaykumar 2012, section 4.2).
+
+    The melt is never thinner than its ``reference_density`` [kg/m^3], without pressure: what its density lacks at a free surface are the neighbours that
+    are not there. A volume as large as that, up to eightfold, would make the particle as much stiffer.
+    """
     i = wp.tid() + first
     if froze[i] != 0:
-        body_volume[i] = mass[i] / density[i]
+        body_volume[i] = mass[i] / wp.max(density[i], reference_density)
 
 
 @wp.kernel

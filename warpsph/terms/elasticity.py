@@ -129,7 +129,10 @@ class Elasticity(Term):
         planar = int(model.dimension == 2)
         constants = {"elastic": self._constants(model, state), "reach": reach, "scale": scale, "planar": planar}
         fluid = model.find(WeaklyCompressible)
-        return constants | ({"frozen_from": fluid, **fluid.device_constants(model)} if fluid else {})
+        if fluid is None:
+            return constants
+        frozen = {"frozen_from": fluid, "reference_density": fluid.reference_density}
+        return constants | frozen | fluid.device_constants(model)
 
     def reach(self, model: Model) -> float:
         return model.support if self.support_ratio is None else self.support_ratio * model.spacing
@@ -168,7 +171,7 @@ class Elasticity(Term):
 
     def _renew_bonds(self, launch: Launch) -> None:
         launch(find_stress)
-        if "density" in launch:
+        if "frozen_from" in launch:
             launch(settle_volume)
         launch(join_body)
         self._bond_solids(launch)

@@ -44,6 +44,9 @@ def frozen_on_a_row(
         (2, 0.6, 0.5, (1.2, 1.85)),
         (2, 0.4, 0.95, (1.2, 0.3)),
         (2, 0.8, 0.2, (1.2, 1.85)),
+        (2, 1.0, 0.5, (1.2, 0.3)),
+        (2, 1.0, 0.5, (1.2, 1.85)),
+        (2, 1.1, 0.4, (0.9, 0.5)),
         (2, 1.4, -1.0, (1.2, 1.85)),
         (3, 0.6, 1.0, (1.2, 0.3)),
         (3, 0.7, 0.2, (1.2, 0.3)),
@@ -59,6 +62,15 @@ def test_what_freezes_on_a_thin_row_does_not_tear_it_apart(device, dimension, wi
         solver.step()
     speed = np.linalg.norm(simulation.state.numpy("velocity"), axis=1).max()
     assert speed < 1e-3 + (1.0 - squeeze) * WAVE_SPEED  # what a strain sets free
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_what_freezes_at_a_surface_is_no_larger_than_its_cell(device, dimension):
+    """A row, that has next to no neighbours, would be several times as large and as stiff as its matter is."""
+    state = frozen_on_a_row(device, dimension, 0.0, 1.0, (1.2, 0.3)).state
+    cell = state.numpy("mass") / STEEL.density
+    assert np.all(state.numpy("density") < 0.7 * STEEL.density)
+    assert np.allclose(state.numpy("body_volume"), cell, rtol=1e-6)
 
 
 @pytest.mark.parametrize("support", [1.2, 1.5, 2.6])
