@@ -14,6 +14,7 @@ MOST_DROPS = 3.0  # of water on one spacing of the shell
 LAYERS = 2.0  # layers of particles that the shell needs where it leaves the mould
 SLOWER = 5  # times slower casting, up to which a speed that would do is looked for
 COARSE = 0.004  # spacing [m] that suffices for the reckoning
+CHANNEL = 2.0  # spacings of melt that the shell needs to pass by the nozzle's mouth
 BULGE = 0.05  # of a shell between two rolls, over their distance
 
 
@@ -50,6 +51,7 @@ def refuse_what_cannot_hold(case: CastingParameters) -> None:
 def _refuse_wide_nozzle(case: CastingParameters) -> None:
     low, high = case.beside_nozzle
     if low < high:
+        _refuse_nozzle_in_shell(case)
         return
     side = case.nozzle_port == "side"
     widest = (high - 1 - (0 if side else WALL_LAYERS)) * case.spacing
@@ -59,6 +61,17 @@ def _refuse_wide_nozzle(case: CastingParameters) -> None:
         f"{key} = {getattr(case, key):g}: its outer side, {case.nozzle_side:.4g} m from the axis, leaves no melt "
         f"before the shell and the mould at half_width {case.half_width:g} m; {remedy}a wider strand or a finer spacing"
     )
+
+
+def _refuse_nozzle_in_shell(case: CastingParameters) -> None:
+    """A shell that has grown onto the nozzle squeezes the melt between the two, and jumps."""
+    shell = _shells(case, np.array([case.nozzle_mouth]))[0]
+    if case.half_width - shell - case.nozzle_side < CHANNEL * case.spacing:
+        raise InputError(
+            f"nozzle_mouth = {case.nozzle_mouth:g}: the shell is {1e3 * shell:.1f} mm thick there and leaves less than "
+            f"{CHANNEL:g} spacings of {1e3 * case.spacing:g} mm to the nozzle's side, {case.nozzle_side:.4g} m of "
+            f"half_width {case.half_width:g} m from the axis; a higher mouth, faster casting or a wider strand would do"
+        )
 
 
 def _refuse_thin_shell(case: CastingParameters) -> None:

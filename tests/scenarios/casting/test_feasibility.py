@@ -62,6 +62,14 @@ def test_a_nozzle_in_the_shell_or_the_mould_is_refused(given, key):
         assert low == high - 1
 
 
+def test_a_nozzle_on_which_the_shell_grows_is_refused():
+    """The melt between the two would be squeezed, and the shell would jump."""
+    narrow = {"half_width": 0.04, "nozzle_width": 0.006, "casting_speed": 0.004, "spray_flux": 0.1}
+    with pytest.raises(InputError, match=r"nozzle_mouth = 0.36: the shell is 22.* half_width 0.04 m"):
+        refuse_what_cannot_hold(Casting(**narrow))
+    refuse_what_cannot_hold(Casting(**narrow, nozzle_mouth=0.42))
+
+
 def test_what_holds_is_not_refused():
     """The presets are known to hold."""
     for case in (Casting(), Casting(spacing=0.002), Breakout(), Casting(casting_speed=0.012)):
