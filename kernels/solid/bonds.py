@@ -4,7 +4,14 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Phase
 from warpsph.kernels.basics.smoothing import sine_slope, sine_value
-from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of, precise_difference
+from warpsph.kernels.neighbours.pairs import (
+    NOT_NEGATIVE,
+    NeighbourList,
+    difference,
+    entry_of,
+    index_of,
+    precise_difference,
+)
 
 wp.set_module_options({"enable_backward": False})
 
@@ -30,6 +37,17 @@ class BondList:
     value: wp.array[float]
     prestress: wp.array[float]
     capacity: int
+
+
+@wp.func
+def place_of(bonds: BondList, i: int, b: int) -> int:
+    """Where bond b of particle i stands."""
+    return (i * bonds.capacity + b) & NOT_NEGATIVE
+
+
+@wp.func
+def partner_of(bonds: BondList, place: int) -> int:
+    return bonds.partner[place] & NOT_NEGATIVE
 
 
 @wp.func
@@ -161,7 +179,7 @@ def mark_bonded_neighbours(first: int, neighbours: NeighbourList, bonds: BondLis
         entry = j
         if bonds.count[i] > 0 and bonds.count[j] > 0:
             for b in range(bonds.count[i]):
-                if bonds.partner[i * bonds.capacity + b] == j:
+                if partner_of(bonds, place_of(bonds, i, b)) == j:
                     entry = -1 - j
         neighbours.entry[place] = entry
 
@@ -172,9 +190,9 @@ def move_bonds(first: int, order: wp.array[int], place: wp.array[int], bonds: Bo
     i = wp.tid() + first
     old = order[i]
     for b in range(bonds.count[old]):
-        source = old * bonds.capacity + b
-        copy_bond(bonds, source, target, i * bonds.capacity + b)
-        target.partner[i * bonds.capacity + b] = place[bonds.partner[source]]
+        source, there = place_of(bonds, old, b), place_of(target, i, b)
+        copy_bond(bonds, source, target, there)
+        target.partner[there] = place[partner_of(bonds, source)]
     target.count[i] = bonds.count[old]
 
 
@@ -184,4 +202,5 @@ def copy_bonds(first: int, bonds: BondList, target: BondList):
     i = wp.tid() + first
     target.count[i] = bonds.count[i]
     for b in range(bonds.count[i]):
-        copy_bond(bonds, i * bonds.capacity + b, target, i * bonds.capacity + b)
+        there = place_of(bonds, i, b)
+        copy_bond(bonds, there, target, there)

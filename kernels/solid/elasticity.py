@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.neighbours.pairs import NeighbourList, precise_difference
-from warpsph.kernels.solid.bonds import BondList
+from warpsph.kernels.solid.bonds import BondList, partner_of, place_of
 from warpsph.kernels.solid.strain import ElasticConstants, gradient_of_bonds
 
 wp.set_module_options({"enable_backward": False})
@@ -89,8 +89,8 @@ def add_elastic_forces(
         force = wp.vec3()
         pressed = wp.vec3()
         for b in range(bonds.count[i]):
-            place = i * bonds.capacity + b
-            j = bonds.partner[place]
+            place = place_of(bonds, i, b)
+            j = partner_of(bonds, place)
             X = bonds.separation[place]
             v_j = body_volume[j]
             F_X = (F_i + deformation[j]) * X

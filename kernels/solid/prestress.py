@@ -5,7 +5,7 @@ import warp as wp
 from warpsph.kernels.basics.smoothing import spiky_slope
 from warpsph.kernels.flow.corrected.scheme import FlowConstants, slope_of
 from warpsph.kernels.flow.fluid import FluidConstants
-from warpsph.kernels.solid.bonds import BondList
+from warpsph.kernels.solid.bonds import BondList, partner_of, place_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -26,8 +26,8 @@ def keep_pressure(
     """
     i = wp.tid() + first
     for b in range(bonds.count[i]):
-        place = i * bonds.capacity + b
-        j = bonds.partner[place]
+        place = place_of(bonds, i, b)
+        j = partner_of(bonds, place)
         if froze[i] != 0 or froze[j] != 0:
             X = bonds.separation[place]
             slope = spiky_slope(wp.dot(X, X), fluid.support) * fluid.pressure_scale

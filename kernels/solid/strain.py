@@ -3,7 +3,7 @@
 import warp as wp
 
 from warpsph.kernels.neighbours.pairs import NeighbourList, precise_difference
-from warpsph.kernels.solid.bonds import CHANGED, SMALLEST_VOLUME, UNCHANGED, BondList
+from warpsph.kernels.solid.bonds import CHANGED, SMALLEST_VOLUME, UNCHANGED, BondList, partner_of, place_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -38,9 +38,9 @@ def moment_of_bonds(bonds: BondList, i: int, planar: int, body_volume: wp.array[
     """Moment matrix of a particle's bonds; in the plane its third row is of no weight."""
     moment = wp.mat33()
     for b in range(bonds.count[i]):
-        place = i * bonds.capacity + b
+        place = place_of(bonds, i, b)
         X = bonds.separation[place]
-        moment -= wp.outer(X, X) * (body_volume[bonds.partner[place]] * bonds.slope[place])
+        moment -= wp.outer(X, X) * (body_volume[partner_of(bonds, place)] * bonds.slope[place])
     if planar != 0:
         moment[2, 2] = 0.5 * (moment[0, 0] + moment[1, 1])  # between the other two, so that it decides nothing
     return moment
@@ -71,8 +71,8 @@ def gradient_of_bonds(
     """
     gradient = wp.mat33()
     for b in range(bonds.count[i]):
-        place = i * bonds.capacity + b
-        j = bonds.partner[place]
+        place = place_of(bonds, i, b)
+        j = partner_of(bonds, place)
         X = bonds.separation[place]
         u_ij = X - precise_difference(neighbours, position, position_carry, i, j)  # Vijaykumar (4.6)
         gradient += wp.outer(u_ij, X * (body_volume[j] * bonds.slope[place]))  # Vijaykumar (4.9), transposed
@@ -101,8 +101,8 @@ def can_bear(
     whole = wp.vec3()
     square = wp.mat33()
     for b in range(bonds.count[i]):
-        place = i * bonds.capacity + b
-        d = to_gradient * bonds.separation[place] * (body_volume[bonds.partner[place]] * bonds.slope[place])
+        place = place_of(bonds, i, b)
+        d = to_gradient * bonds.separation[place] * (body_volume[partner_of(bonds, place)] * bonds.slope[place])
         whole += d
         square += wp.outer(d, d)
     _, stiffness = wp.eig3(square + wp.outer(whole, whole))

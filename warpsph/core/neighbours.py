@@ -128,7 +128,7 @@ class Neighbours:
         rows.count = wp.zeros(n, dtype=int, device=state.device)
         rows.entry = wp.zeros(n * rows.capacity, dtype=int, device=state.device)
         if model.periodic is not None:
-            rows.periodic = 1
+            rows.periodic = -1
             rows.period, rows.inverse_period = wp.vec3(*model.periodic.lengths), wp.vec3(*model.periodic.inverse)
         rows.row_stride, rows.entry_stride = (1, n) if on_cuda else (rows.capacity, 1)
         state.hold_list("neighbours", rows)

@@ -30,7 +30,7 @@ def ways(device: str, periodic: bool, y: np.ndarray) -> tuple[np.ndarray, np.nda
     """The ways (n, 3) [m] by the three functions from the last of the places y (n, 3) to the first, and so on."""
     n, rows = len(y), NeighbourList()
     if periodic:
-        rows.periodic, rows.period = 1, wp.vec3(*PERIOD)
+        rows.periodic, rows.period = -1, wp.vec3(*PERIOD)
         rows.inverse_period = wp.vec3(*np.divide(1.0, PERIOD, out=np.zeros(3), where=PERIOD > 0.0))
     x = y.astype(np.float32)
     given = [
