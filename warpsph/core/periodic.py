@@ -1,6 +1,6 @@
 """A box that is periodic: what leaves it on one side comes in on the other."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -82,7 +82,14 @@ class PeriodicBox:
 
     def facts(self) -> dict[str, Any]:
         """What a result file keeps of it."""
-        return {"periodic_lower": list(self.lower), "periodic_lengths": list(self.edges)}
+        return {"periodic_lower": list(self.lower), "periodic_lengths": self.edges.tolist()}
+
+    @classmethod
+    def of_facts(cls, facts: Mapping[str, Any]) -> "PeriodicBox | None":
+        """The box of a result file, None where the run had none."""
+        if "periodic_lengths" not in facts:
+            return None
+        return cls(facts.get("periodic_lower", (0.0, 0.0, 0.0)), facts["periodic_lengths"])
 
 
 def box_constants(periodic: PeriodicBox | None) -> dict[str, object]:

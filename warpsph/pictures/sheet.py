@@ -15,6 +15,7 @@ from warpsph.errors import InputError
 from warpsph.pictures.axes_in_space import INK, PALE_INK, draw_axes
 from warpsph.pictures.layout import arrange
 from warpsph.pictures.looks import Look
+from warpsph.pictures.periodic_outline import draw_outline
 from warpsph.pictures.shell_edge import NAME, RIM
 from warpsph.pictures.view import View
 
@@ -106,6 +107,7 @@ class Sheet:
 
     def _dress(self, axes, first: bool) -> None:
         axes.set_frame_on(False)
+        draw_outline(axes, self._view)
         if self._view.camera:
             axes.set(xticks=[], yticks=[])
             draw_axes(axes, self._view)

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from warpsph.core.labels import Role
+from warpsph.core.periodic import PeriodicBox
 from warpsph.files.results import ResultFile
 from warpsph.pictures.parts import Frames
 
@@ -40,6 +41,7 @@ class View:
     top: float
     spacing: float
     camera: Camera | None = None
+    periodic: PeriodicBox | None = None
 
     @property
     def aspect(self) -> float:
@@ -75,13 +77,17 @@ class View:
 
 
 def make_view(result: ResultFile, frames: Frames) -> View:
-    """The tightest view of all particles of ``frames``, except for a few that have flown far away."""
+    """The tightest view of all particles of ``frames``, except for a few that have flown far away.
+
+    A periodic box is seen whole.
+    """
     points = np.concatenate([points for points, _ in frames])
     spacing = _spacing(result, points)
     if len(points) == 0:
         return View(0.0, 1.0, 0.0, 1.0, spacing)
+    periodic = PeriodicBox.of_facts(result.provenance)
     if result.provenance.get("dimension") == 3 or np.ptp(points[:, 2]) > spacing:
-        low, high = _box(points)
+        low, high = _box(points, periodic)
         eye = (low + high) / 2 + DISTANCE * (np.linalg.norm(high - low) + spacing) * DIRECTION
         right = np.cross(UP, DIRECTION)
         right /= np.linalg.norm(right)
@@ -92,9 +98,9 @@ def make_view(result: ResultFile, frames: Frames) -> View:
         margin = spacing / float(np.linalg.norm(eye - (low + high) / 2))
     else:
         camera = None
-        (left, bottom, _), (right, top, _) = _box(points)
+        (left, bottom, _), (right, top, _) = _box(points, periodic)
         margin = spacing
-    return View(left - margin, right + margin, bottom - margin, top + margin, spacing, camera)
+    return View(left - margin, right + margin, bottom - margin, top + margin, spacing, camera, periodic)
 
 
 def _project(points: np.ndarray, camera: Camera) -> np.ndarray:
@@ -103,12 +109,17 @@ def _project(points: np.ndarray, camera: Camera) -> np.ndarray:
     return np.stack([seen @ camera.right / depth, seen @ camera.up / depth, depth], axis=1)
 
 
-def _box(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _box(points: np.ndarray, periodic: PeriodicBox | None) -> tuple[np.ndarray, np.ndarray]:
     """Lower and upper corner (3,), without those of the outermost half percent that are far from all others."""
     low, high = np.quantile(points, (0.005, 0.995), axis=0)
     reach = 0.5 * (high - low)
     near = points[np.all((points >= low - reach) & (points <= high + reach), axis=1)]
-    return near.min(axis=0), near.max(axis=0)
+    low, high = near.min(axis=0), near.max(axis=0)
+    if periodic is not None:
+        lower, edges = np.asarray(periodic.lower), periodic.edges
+        low = np.where(edges > 0.0, np.minimum(low, lower), low)
+        high = np.where(edges > 0.0, np.maximum(high, lower + edges), high)
+    return low, high
 
 
 def _spacing(result: ResultFile, points: np.ndarray) -> float:

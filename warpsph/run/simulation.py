@@ -41,7 +41,8 @@ class Simulation:
         model: physics.
         particles: initial particles.
         parts: parts of a machine, in the order in which they act.
-        lower, upper: box (3,) that holds the particles [m], by default theirs with a margin.
+        lower, upper: box (3,) that holds the particles [m], by default theirs with a margin; along periodic axes the
+            model's holds.
         dt: time step [s], by default the largest stable one; a larger one is refused.
         step_factor: what the limits of the flow's time step are multiplied by; more than 1 is for studies of stability.
         speed_limit: speed at which the run counts as diverged [m/s]; by default what the terms say.
@@ -199,6 +200,8 @@ class Simulation:
             "dimension": self.model.dimension,
             "materials": [material.name for material in self.model.materials],
         }
+        if self.model.periodic is not None:
+            facts |= self.model.periodic.facts()
         for term in self.model.terms:
             facts |= term.facts()
         quantities = {name: field.quantity for name, field in self.state.fields.items() if field.written}
