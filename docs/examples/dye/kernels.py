@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.basics.smoothing import wendland_c2_slope
-from warpsph.kernels.neighbours.pairs import NeighbourList, entry_of, index_of
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -26,7 +26,7 @@ def sum_dye(
     for k in range(neighbours.count[i]):
         j = index_of(entry_of(neighbours, i, k))
         if role[j] == Role.FREE:
-            d = position[i] - position[j]
+            d = difference(neighbours, position[i], position[j])
             total += (dye[i] - dye[j]) * wendland_c2_slope(wp.dot(d, d), support)
     dye_rate[i] = 2.0 * scale * total  # the sum of Vijaykumar (3.2)
 
