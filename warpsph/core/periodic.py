@@ -10,6 +10,7 @@ import warp as wp
 from warpsph.errors import InputError, numbers, require
 
 LEAST_CELLS = 3
+LEVEL = 1.0e-6  # of a unit normal, along an axis along which its plane is taken to be level
 ROUNDING = 1.0e-5  # of the radius: what single precision may lose where a particle is given its cell
 
 
@@ -32,13 +33,14 @@ class PeriodicBox:
 
     def __post_init__(self) -> None:
         three = isinstance(self.lengths, Sequence | np.ndarray) and len(self.lengths) == 3
-        lengths = numbers([length or 0.0 for length in self.lengths] if three else None, 3)
-        require(self, "lower", bool(np.all(np.isfinite(numbers(self.lower, 3)))), "three finite numbers [m]")
+        lower = _single(self.lower)
+        lengths = _single([length or 0.0 for length in self.lengths] if three else None)
+        require(self, "lower", bool(np.all(np.isfinite(lower))), "three finite numbers [m]")
         positive = bool(np.all(np.isfinite(lengths))) and min(lengths) >= 0.0 and max(lengths) > 0.0
         allowed = "three numbers [m], positive along periodic axes and 0 along the others"
         require(self, "lengths", positive, allowed)
-        object.__setattr__(self, "lower", _single(numbers(self.lower, 3)))
-        object.__setattr__(self, "lengths", _single(lengths))
+        object.__setattr__(self, "lower", lower)
+        object.__setattr__(self, "lengths", lengths)
 
     @property
     def edges(self) -> np.ndarray:
@@ -99,8 +101,10 @@ def box_constants(periodic: PeriodicBox | None) -> dict[str, object]:
 
 def axes_across(*normals: Sequence[float]) -> tuple[int, ...]:
     """The axes along which planes of these ``normals`` (3,) have one place in space."""
-    return tuple(axis for axis in range(3) if any(normal[axis] != 0.0 for normal in normals))
+    return tuple(axis for axis in range(3) if any(abs(normal[axis]) > LEVEL for normal in normals))
 
 
-def _single(values: Sequence[float]) -> tuple[float, ...]:
-    return tuple(float(value) for value in np.asarray(values, np.float32))
+def _single(values: Any) -> tuple[float, ...]:
+    """Three numbers as single precision holds them, NaN where they are none."""
+    with np.errstate(over="ignore"):
+        return tuple(float(value) for value in np.asarray(numbers(values, 3)).astype(np.float32))

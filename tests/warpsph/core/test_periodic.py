@@ -126,7 +126,8 @@ def test_a_particle_that_flies_around_is_where_it_should_be(device):
 @pytest.mark.parametrize(
     ("lower", "lengths"),
     [((0, 0), (1, 1, 0)), ((0, 0, 0), (1, 1)), ((0, 0, 0), (0, 0, 0)), ((0, 0, 0), (-1, 0, 0)), ((0, 0, 0), "abc"),
-     ((0, 0, 0), (np.nan, 0, 0)), ((np.inf, 0, 0), (1, 0, 0)), ((0, 0, 0), 1.0), ((0, 0, 0), None)],
+     ((0, 0, 0), (np.nan, 0, 0)), ((np.inf, 0, 0), (1, 0, 0)),
+     ((0, 0, 0), (1e39, 0, 0)), ((0, 0, 0), (1e-50, 0, 0)), ((0, 0, 0), 1.0), ((0, 0, 0), None)],
 )  # fmt: skip
 def test_a_box_that_is_none_is_refused(lower, lengths):
     """A crash much later would say nothing of the box."""
