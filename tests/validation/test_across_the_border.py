@@ -23,6 +23,7 @@ from warpsph.terms import (
     Conduction,
     Contact,
     ContinuityDensity,
+    CorrectedFluid,
     DrivingSource,
     Elasticity,
     Fluid,
@@ -91,6 +92,7 @@ CASES = {
     "drop": Case(WATER, lambda: (FLUID, ContinuityDensity(), SurfaceTension(0.07)), flow),
     "published drop": Case(WATER, lambda: (FLUID, ContinuityDensity(), ColourFieldTension(0.07)), flow),
     "summed density": Case(WATER, lambda: (FLUID, SummedDensity()), flow),
+    "corrected flow": Case(WATER, lambda: (CorrectedFluid(1000.0, 5.0, free_surface=True),), flow, 10),
     "bodies": Case(RUBBER, lambda: (Elasticity(1e5, 0.3), Contact()), solid, 30),
     "heat": Case(SOLUTION, lambda: (Conduction(walls=(FLOOR,)),), warm, 200, walled=True),
     "implicit heat": Case(
