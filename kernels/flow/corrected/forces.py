@@ -82,12 +82,14 @@ def add_flow_forces(
         artificial = flow.artificial * sound_speed
         pressed = wp.vec3()
         sheared = wp.vec3()
+        rubbed = wp.vec3()
         damped = wp.vec3()
         crowding = wp.vec3()
         gathered = wp.vec3()
         guarded = wp.vec3()
         near = int(0)
         nearest_squared = 1.0e-6 * flow.spacing * flow.spacing
+        slips = bool(False)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             d = difference(neighbours, x_i, position[j])
@@ -109,6 +111,7 @@ def add_flow_forces(
                 if what == WALL:
                     if mu_j == 0.0:
                         mu = 0.0
+                        slips = True
                     r = wp.sqrt(r_squared) / flow.spacing
                     if r < GUARD_RANGE:
                         guarded += d * (GUARD * c_squared * (1.0 / r - 1.0 / GUARD_RANGE))
@@ -121,13 +124,13 @@ def add_flow_forces(
                     of_gradient = 0.5 * wp.dot(d, G_d + velocity_gradient[j] * d)
                     q = (wp.dot(u_ij, d) - of_gradient) * inverse
                     damped += V_grad_W * (q * (artificial - flow.quadratic * wp.min(q, 0.0)))
+                rubbed += u_ij * (mu * F)
                 if inside:
                     pressed += V_grad_W * (p_j - p_i)
                     w = 1.0 - flow.anisotropy * (wp.dot(d, M * d) * inverse - mean)
                     sheared += (u_ij - G_d) * (mu * w * F)
                 else:
                     pressed += V_grad_W * (p_j + p_i)
-                    sheared += u_ij * (mu * F)
         L = correction_of(M)
         normal = wp.normalize(L * crowding)
         rate = wp.sqrt(wp.ddot(G_i, G_i))
@@ -140,59 +143,4 @@ def add_flow_forces(
         length = wp.length(shift)
         if length > LARGEST_SHIFT * fastest:
             shift *= LARGEST_SHIFT * fastest / length
-        force = sheared * 2.0 - pressed
         if inside:
-            force = sheared * (2.0 / mean) - L * pressed
-        change = force * (flow.volume / mass[i]) + damped + guarded / (flow.spacing * flow.spacing)
-        if inside:
-            change += G_i * shift
-        acceleration[i] += change
-        shift_velocity[i] = shift
-        is_near[i] = near
-
-
-@wp.kernel
-def press_on_solids(
-    first: int,
-    flow: FlowConstants,
-    neighbours: NeighbourList,
-    position: wp.array[wp.vec3],
-    velocity: wp.array[wp.vec3],
-    to_surface: wp.array[wp.vec3],
-    pressure: wp.array[float],
-    viscosity: wp.array[float],
-    mass: wp.array[float],
-    role: wp.array[int],
-    part: wp.array[int],
-    shift_velocity: wp.array[wp.vec3],
-    acceleration: wp.array[wp.vec3],
-):
-    """Add to the acceleration (n,) [m/s^2] of solid particles what the fluid and the walls do to them.
-
-    Each pair of a solid and a fluid particle by the sum of their pressures, so that a face bears just the pressure that
-    the fluid has there.
-    """
-    i = wp.tid() + first
-    if role[i] == Role.FREE and part[i] == SOLID:
-        x_i = position[i]
-        u_i = velocity[i]
-        c = wp.sqrt(flow.bulk_modulus * flow.volume / mass[i])
-        force = wp.vec3()
-        held = wp.vec3()
-        for k in range(neighbours.count[i]):
-            j = index_of(entry_of(neighbours, i, k))
-            what = part[j]
-            if part[j] == FLUID or part[j] == WALL:
-                d = difference(neighbours, x_i, position[j])
-                r_squared = wp.dot(d, d)
-                if r_squared < flow.support * flow.support:
-                    F, V_W = slope_and_weight(flow, r_squared)
-                    u_ij = u_i - velocity[j]
-                    mu_j = viscosity[j]
-                    if what == WALL:
-                        held += stand_on_wall(flow, d, to_surface[j], c) * V_W
-                    else:
-                        force -= d * (F * (pressure[i] + pressure[j]))
-                    force += u_ij * (2.0 * mu_j * F)
-        acceleration[i] += force * (flow.volume / mass[i]) + held
-        shift_velocity[i] = wp.vec3()
