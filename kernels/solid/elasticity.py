@@ -21,8 +21,8 @@ def settle_volume(
 ):
     """Fix the body volume (n,) [m^3, or m^2 in 2D] of particles that just ``froze`` (Vijaykumar 2012, section 4.2).
 
-    The melt is never thinner than its ``reference_density`` [kg/m^3], without pressure: what its density lacks at a free
-    surface are the neighbours that are not there. A volume as large as that, up to eightfold, would make the particle
+    The melt is never thinner than its ``reference_density`` [kg/m^3]: what its density lacks at a free surface are the
+    neighbours that are not there. A volume as large as that, up to eightfold, would make the particle
     as much stiffer.
     """
     i = wp.tid() + first

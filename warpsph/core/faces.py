@@ -1,10 +1,15 @@
 """Where the face of a wall is, seen from the particles behind it."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from warpsph.errors import InputError, numbers
+from warpsph.errors import InputError, numbers, shown
+
+# by the side of the box on which they are: the axis and the direction outwards
+FACES: Mapping[str, tuple[int, int]] = {
+    f"{sign}{name}": (axis, int(f"{sign}1")) for axis, name in enumerate("xyz") for sign in "-+"
+}
 
 BEYOND = 1.0e-6  # of an edge, by which a place is outside a box
 
@@ -23,6 +28,31 @@ def way_to_box(points: np.ndarray, lower: Sequence[float], upper: Sequence[float
     if not np.all(low <= high):
         raise InputError(f"way_to_box: lower, upper = {lower}, {upper}: must be two corners [m], the lower one first")
     return np.clip(points, low, high) - points
+
+
+def velocity_of_faces(way: np.ndarray, velocities: Mapping[str, Sequence[float]]) -> np.ndarray:
+    """Velocities (n, 3) [m/s] of walls around a box whose faces move along themselves, each on its own.
+
+    What stands behind an edge or a corner belongs to several faces and has their mean velocity. With that of one of
+    them alone the fluid is driven into the corner and leaks out of it.
+
+    Args:
+        way: from the walls to their faces (n, 3) [m], as :func:`way_to_box` gives it.
+        velocities: (3,) [m/s] of the faces "-x", "+x", "-y", ..., by the side of the box on which they are; the others
+            rest.
+
+    Raises:
+        InputError: there is no such face, or a velocity is not three finite numbers.
+    """
+    behind = np.stack([way[:, axis] * side < 0.0 for axis, side in FACES.values()], axis=1)
+    moving = np.zeros((len(FACES), 3))
+    for face, velocity in velocities.items():
+        if face not in FACES:
+            raise InputError(f"velocity_of_faces: there is no face {shown(face)}; give {', '.join(FACES)}")
+        if not np.all(np.isfinite(numbers(velocity, 3))):
+            raise InputError(f"velocity_of_faces: {face} = {shown(velocity)}: must be three finite numbers [m/s]")
+        moving[list(FACES).index(face)] = numbers(velocity, 3)
+    return behind @ moving / np.maximum(behind.sum(axis=1, keepdims=True), 1)
 
 
 def way_out_of_boxes(points: np.ndarray, boxes: Sequence[tuple[Sequence[float], Sequence[float]]]) -> np.ndarray:

@@ -198,8 +198,10 @@ def lattice(lower: Sequence[float], upper: Sequence[float], spacing: float) -> n
     return points if points.shape[1] == 3 else np.column_stack([points, np.zeros(len(points))])
 
 
-def tank(lower: Sequence[float], upper: Sequence[float], spacing: float, layers: int = 3) -> np.ndarray:
-    """Lattice points (n, 3) of an open box: floor and side walls of ``layers`` particles, nothing on top (+y).
+def tank(
+    lower: Sequence[float], upper: Sequence[float], spacing: float, layers: int = 3, lid: bool = False
+) -> np.ndarray:
+    """Lattice points (n, 3) of a box: floor and side walls of ``layers`` particles, and on top (+y) nothing or a lid.
 
     Raises:
         InputError: as :func:`lattice` does; or there is no layer.
@@ -210,7 +212,8 @@ def tank(lower: Sequence[float], upper: Sequence[float], spacing: float, layers:
     thickness = layers * spacing
     outer_lower = [low - thickness for low in lower]
     outer_upper = [high + thickness for high in upper]
-    outer_upper[1] = upper[1]
+    if not lid:
+        outer_upper[1] = upper[1]
     points = lattice(tuple(outer_lower), tuple(outer_upper), spacing)
     inside = np.ones(len(points), bool)
     for axis, (low, high) in enumerate(zip(lower, upper, strict=True)):

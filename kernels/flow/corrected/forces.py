@@ -88,8 +88,8 @@ def add_flow_forces(
         gathered = wp.vec3()
         guarded = wp.vec3()
         near = int(0)
-        nearest_squared = 1.0e-6 * flow.spacing * flow.spacing
         slips = bool(False)
+        nearest_squared = 1.0e-6 * flow.spacing * flow.spacing
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             d = difference(neighbours, x_i, position[j])
@@ -144,3 +144,61 @@ def add_flow_forces(
         if length > LARGEST_SHIFT * fastest:
             shift *= LARGEST_SHIFT * fastest / length
         if inside:
+            pressed = L * pressed
+            # where a wall does not rub, the one-sided sum of pairs has no friction at its face, the corrected one has
+            if not slips:
+                rubbed = sheared / mean
+        force = rubbed * 2.0 - pressed
+        change = force * (flow.volume / mass[i]) + damped + guarded / (flow.spacing * flow.spacing)
+        if inside:
+            change += G_i * shift
+        acceleration[i] += change
+        shift_velocity[i] = shift
+        is_near[i] = near
+
+
+@wp.kernel
+def press_on_solids(
+    first: int,
+    flow: FlowConstants,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    velocity: wp.array[wp.vec3],
+    to_surface: wp.array[wp.vec3],
+    pressure: wp.array[float],
+    viscosity: wp.array[float],
+    mass: wp.array[float],
+    role: wp.array[int],
+    part: wp.array[int],
+    shift_velocity: wp.array[wp.vec3],
+    acceleration: wp.array[wp.vec3],
+):
+    """Add to the acceleration (n,) [m/s^2] of solid particles what the fluid and the walls do to them.
+
+    Each pair of a solid and a fluid particle by the sum of their pressures, so that a face bears just the pressure that
+    the fluid has there.
+    """
+    i = wp.tid() + first
+    if role[i] == Role.FREE and part[i] == SOLID:
+        x_i = position[i]
+        u_i = velocity[i]
+        c = wp.sqrt(flow.bulk_modulus * flow.volume / mass[i])
+        force = wp.vec3()
+        held = wp.vec3()
+        for k in range(neighbours.count[i]):
+            j = index_of(entry_of(neighbours, i, k))
+            what = part[j]
+            if part[j] == FLUID or part[j] == WALL:
+                d = difference(neighbours, x_i, position[j])
+                r_squared = wp.dot(d, d)
+                if r_squared < flow.support * flow.support:
+                    F, V_W = slope_and_weight(flow, r_squared)
+                    u_ij = u_i - velocity[j]
+                    mu_j = viscosity[j]
+                    if what == WALL:
+                        held += stand_on_wall(flow, d, to_surface[j], c) * V_W
+                    else:
+                        force -= d * (F * (pressure[i] + pressure[j]))
+                    force += u_ij * (2.0 * mu_j * F)
+        acceleration[i] += force * (flow.volume / mass[i]) + held
+        shift_velocity[i] = wp.vec3()
