@@ -10,6 +10,7 @@ from warpsph.terms.corrected_fluid import CorrectedFluid
 from warpsph.terms.damping import Damping
 from warpsph.terms.driving_source import DrivingSource
 from warpsph.terms.elasticity import Elasticity
+from warpsph.terms.enclosed import Enclosed
 from warpsph.terms.floor import Floor
 from warpsph.terms.fluid import Fluid
 from warpsph.terms.gradient_walls import GradientWalls
@@ -40,6 +41,7 @@ __all__ = [
     "Damping",
     "DrivingSource",
     "Elasticity",
+    "Enclosed",
     "Explicit",
     "Floor",
     "Fluid",
