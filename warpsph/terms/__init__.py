@@ -2,6 +2,7 @@
 
 from warpsph.terms.alloy import Alloy
 from warpsph.terms.bonded_phase import BondedPhase
+from warpsph.terms.buoyancy import Buoyancy
 from warpsph.terms.colour_field_tension import ColourFieldTension
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.contact import Contact
@@ -32,6 +33,7 @@ __all__ = [
     "Alloy",
     "BackwardEuler",
     "BondedPhase",
+    "Buoyancy",
     "ColourFieldTension",
     "Conduction",
     "Contact",
