@@ -7,6 +7,7 @@ from warpsph.terms.colour_field_tension import ColourFieldTension
 from warpsph.terms.conduction import Conduction
 from warpsph.terms.contact import Contact
 from warpsph.terms.continuity_density import ContinuityDensity
+from warpsph.terms.corrected_conduction import CorrectedConduction
 from warpsph.terms.corrected_fluid import CorrectedFluid
 from warpsph.terms.damping import Damping
 from warpsph.terms.driving_source import DrivingSource
@@ -38,6 +39,7 @@ __all__ = [
     "Conduction",
     "Contact",
     "ContinuityDensity",
+    "CorrectedConduction",
     "CorrectedFluid",
     "CrankNicolson",
     "Damping",

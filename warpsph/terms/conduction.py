@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import warp as wp
@@ -72,6 +72,8 @@ class Conduction(Term):
     sharp_fronts: bool = False
     integrator: Integrator = EXPLICIT
 
+    smoothing_kernels: ClassVar[tuple[str, ...]] = CONDUCTING
+
     def __post_init__(self) -> None:
         given = self.longest_interval is not None
         require(self, "longest_interval", not given or number(self.longest_interval) > 0.0, "positive [s]")
@@ -87,7 +89,8 @@ class Conduction(Term):
         several = isinstance(self.walls, Sequence) and all(isinstance(wall, HeatWall) for wall in self.walls)
         require(self, "walls", several, "a tuple of HeatWall")
         require(self, "walls", len(self.walls) <= MOST_WALLS, f"{MOST_WALLS} at most")
-        require(self, "smoothing", self.smoothing in CONDUCTING, f"one of {', '.join(CONDUCTING)}")
+        known = self.smoothing_kernels
+        require(self, "smoothing", self.smoothing in known, f"one of {', '.join(known)}")
         ratio = self.support_ratio
         require(self, "support_ratio", ratio is None or 1.2 <= number(ratio) <= 10.0, "from 1.2 to 10 spacings")
 
@@ -152,9 +155,7 @@ class Conduction(Term):
         if isinstance(self.integrator, Implicit):
             return limits
         films, support = self._films(model), self.lattice(model).support
-        share, equation, borne = STABLE[self.smoothing]
-        if self.sharp_fronts:
-            share = min(share, 0.5 * borne)  # a thin layer lets up to twice as much pass
+        share, equation = self.stable_share(model)
         for a, material in enumerate(model.materials):
             capacity = float(np.min(_heat_capacities(material)))
             for b, other in enumerate(model.materials):
@@ -166,6 +167,13 @@ class Conduction(Term):
                         share * material.density * capacity * support**2 / conductivity
                     )
         return limits
+
+    def stable_share(self, model: Model) -> tuple[float, str]:
+        """Longest stable interval in rho c H^2 / k, and where it comes from."""
+        share, equation, borne = STABLE[self.smoothing]
+        if self.sharp_fronts:
+            share = min(share, 0.5 * borne)  # a thin layer lets up to twice as much pass
+        return share, equation
 
     def sum_heat(self, launch: Launch) -> None:
         if self.implicit is not None:
