@@ -16,6 +16,7 @@ NUMPY = SimpleNamespace(
     cos=np.cos,
     exp=np.exp,
     log=np.log,
+    pow=np.power,
     float64=np.float64,
 )
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from warpsph.core.labels import Role
 from warpsph.errors import InputError, numbers, shown
 
 # by the side of the box on which they are: the axis and the direction outwards
@@ -80,3 +81,18 @@ def way_out_of_boxes(points: np.ndarray, boxes: Sequence[tuple[Sequence[float], 
 def _inside(points: np.ndarray, boxes: Sequence[tuple[Sequence[float], Sequence[float]]]) -> np.ndarray:
     """Which of the points (n, 3) lie in a box."""
     return np.any([np.all((points >= low) & (points <= high), axis=1) for low, high in boxes], axis=0)
+
+
+def require_faces(fields: Mapping[str, np.ndarray], flows: np.ndarray) -> None:
+    """Refuse walls that were not told where their face is.
+
+    Args:
+        fields: start values (n, ...) as :meth:`warpsph.core.term.Term.start` has them.
+        flows: which particles (n,) the fluid feels.
+
+    Raises:
+        InputError: there are such walls.
+    """
+    walls = np.isin(fields["role"], (Role.WALL, Role.DUMMY)) & flows
+    if np.any(np.linalg.norm(fields["to_surface"][walls], axis=1) == 0.0):
+        raise InputError("particles: walls need 'to_surface', the way [m] from each to the face of the wall")

@@ -10,6 +10,7 @@ from warpsph.terms.continuity_density import ContinuityDensity
 from warpsph.terms.corrected_conduction import CorrectedConduction
 from warpsph.terms.corrected_fluid import CorrectedFluid
 from warpsph.terms.damping import Damping
+from warpsph.terms.delta_fluid import DeltaFluid
 from warpsph.terms.driving_source import DrivingSource
 from warpsph.terms.elasticity import Elasticity
 from warpsph.terms.enclosed import Enclosed
@@ -43,6 +44,7 @@ __all__ = [
     "CorrectedFluid",
     "CrankNicolson",
     "Damping",
+    "DeltaFluid",
     "DrivingSource",
     "Elasticity",
     "Enclosed",

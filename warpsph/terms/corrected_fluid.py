@@ -5,13 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from warpsph.core.faces import require_faces
 from warpsph.core.field import Field
-from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
-from warpsph.errors import InputError, number, require
+from warpsph.errors import number, require
 from warpsph.kernels.basics import smoothing
 from warpsph.kernels.basics.host import on_host
 from warpsph.kernels.basics.roles import FLUID_ROLES
@@ -62,7 +62,7 @@ class CorrectedFluid(WeaklyCompressible):
             require(self, name, 0.0 <= number(getattr(self, name)) < np.inf, "zero or positive")
         super().__post_init__()
 
-    provides = ("fluid", "density", "a density by continuity")
+    provides = ("fluid", "a flow", "density", "a density by continuity")
     needs = ("forces", "second-order motion")
 
     density = Field(float, "kg/m^3", "density", start=_reference_density, written=True, renewed=True, colours="cividis")
@@ -85,9 +85,7 @@ class CorrectedFluid(WeaklyCompressible):
     to_surface = Field(wp.vec3, "m", "way from a wall particle to the face of the wall")
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        walls = np.isin(fields["role"], (Role.WALL, Role.DUMMY)) & particles.flows
-        if np.any(np.linalg.norm(fields["to_surface"][walls], axis=1) == 0.0):
-            raise InputError("particles: walls need 'to_surface', the way [m] from each to the face of the wall")
+        require_faces(fields, particles.flows)
         mass = self.particle_mass(model)
         moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
         return {

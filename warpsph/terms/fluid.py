@@ -41,7 +41,7 @@ class Fluid(WeaklyCompressible):
 
     tension: bool = False
 
-    provides = ("fluid",)
+    provides = ("fluid", "a flow")
     needs = ("forces", "density")
     follows = ("density",)
 

@@ -1,0 +1,138 @@
+"""Classic delta-SPH: one sweep over the neighbours a step, and forces that keep momentum."""
+
+from dataclasses import dataclass
+from typing import cast
+
+import numpy as np
+import warp as wp
+
+from warpsph.core.faces import require_faces
+from warpsph.core.field import Field
+from warpsph.core.launch import Launch
+from warpsph.core.model import Model
+from warpsph.core.particles import Particles
+from warpsph.core.state import State
+from warpsph.core.term import Term
+from warpsph.errors import number, require
+from warpsph.kernels.basics.host import on_host
+from warpsph.kernels.basics.smoothing import normalisation
+from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
+from warpsph.kernels.flow.corrected.walls import continue_into_walls
+from warpsph.kernels.flow.delta import compression_pressure, correct, predict, sum_delta_rates
+from warpsph.terms.corrected_fluid import CorrectedFluid
+from warpsph.terms.weakly_compressible import SOUND_LIMIT
+
+SOUND_STEP, VISCOUS_STEP, GRAVITY_STEP = 0.4, 0.125, 0.25  # longest steps in dx / c, h^2 / nu and sqrt(h / g)
+
+
+def _reference_density(model: Model) -> float:
+    return model.the(DeltaFluid).reference_density
+
+
+@dataclass(frozen=True, eq=False)
+class DeltaFluid(Term):
+    """Weakly compressible flow as most programs have it, for comparisons: no corrected gradients, no shifting.
+
+    Continuity with density diffusion, p_i + p_j, artificial and laminar viscosity; walls as those of
+    :class:`~warpsph.terms.corrected_fluid.CorrectedFluid`. Steps are leapfrogs whose rates are found once, from
+    velocities and densities carried on by the rates before.
+
+    Args:
+        reference_density: rho_0 [kg/m^3].
+        sound_speed: c [m/s], ten times the highest speed or more.
+        free_surface: whether there is one: walls then do not pull.
+        density_diffusion: delta.
+        artificial_viscosity: alpha; in the plane it acts like a kinematic viscosity of alpha h c / 8.
+        exponent: gamma of Tait's equation of state; 1 makes pressure linear in density.
+        background_pressure: added to it everywhere [Pa].
+    """
+
+    reference_density: float
+    sound_speed: float
+    free_surface: bool = False
+    density_diffusion: float = 0.1
+    artificial_viscosity: float = 0.02
+    exponent: float = 1.0
+    background_pressure: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("density_diffusion", "artificial_viscosity", "background_pressure"):
+            require(self, name, 0.0 <= number(getattr(self, name)) < np.inf, "zero or positive")
+        require(self, "reference_density", 0.0 < number(self.reference_density) < np.inf, "positive [kg/m^3]")
+        require(self, "sound_speed", 0.0 < number(self.sound_speed) < np.inf, "positive [m/s]")
+        require(self, "exponent", 1.0 <= number(self.exponent) <= 10.0, "from 1, linear, to 10")
+
+    provides = ("a flow",)
+    needs = ("second-order motion",)
+
+    density = Field(float, "kg/m^3", "density", start=_reference_density, written=True, renewed=True, colours="cividis")
+    pressure = CorrectedFluid.pressure
+    viscosity = CorrectedFluid.viscosity
+    fluid_mass = CorrectedFluid.fluid_mass
+    part = CorrectedFluid.part
+    compression = CorrectedFluid.compression
+    ghost_velocity = CorrectedFluid.ghost_velocity
+    to_surface = CorrectedFluid.to_surface
+    compression_rate = Field(float, "1/s", "rate of compression", renewed=True)
+    last_acceleration = Field(wp.vec3, "m/s^2", "acceleration one step ago", kept=False)
+    last_rate = Field(float, "1/s", "rate of compression one step ago", kept=False)
+
+    @property
+    def bulk_modulus(self) -> float:
+        """rho_0 c^2 [Pa]."""
+        return self.reference_density * self.sound_speed**2
+
+    def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        require_faces(fields, particles.flows)
+        s = fields["compression"]
+        pressure = on_host(cast(wp.Function, compression_pressure))(s, self.bulk_modulus, self.exponent)
+        mass = np.full(len(particles), self.reference_density * model.cell_volume)
+        return {
+            "mass": mass,
+            "fluid_mass": mass,
+            "viscosity": np.array([material.viscosity for material in model.materials])[fields["material"]],
+            "ghost_velocity": fields["velocity"],
+            "density": self.reference_density * (1.0 + s),
+            "pressure": self.background_pressure + pressure,
+        }
+
+    def constants(self, model: Model, state: State) -> dict[str, object]:
+        H, dx, h = model.support, model.spacing, 0.5 * model.support
+        flow = FlowConstants()
+        flow.support, flow.spacing, flow.volume = H, dx, model.cell_volume
+        flow.scale = model.cell_volume * normalisation("wendland_c2", model.dimension, H)
+        flow.bulk_modulus = self.bulk_modulus
+        flow.diffusion = 2.0 * self.density_diffusion * h
+        flow.artificial = self.artificial_viscosity * h
+        flow.free_surface = int(self.free_surface)
+        return {"flow": flow, "exponent": self.exponent, "background_pressure": self.background_pressure}
+
+    def reach(self, model: Model) -> float:
+        return model.support
+
+    def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
+        h, g = 0.5 * model.support, float(np.linalg.norm(model.gravity))
+        steps = {"sound": SOUND_STEP * model.spacing / self.sound_speed}
+        viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
+        if viscosity > 0.0:
+            steps["viscosity"] = VISCOUS_STEP * h**2 * self.reference_density / viscosity
+        if g > 0.0:
+            steps["gravity"] = GRAVITY_STEP * np.sqrt(h / g)
+        return steps
+
+    def speed_limit(self, model: Model) -> float:
+        return SOUND_LIMIT * self.sound_speed
+
+    def arrive(self, launch: Launch) -> None:
+        launch(predict)
+
+    def find_walls(self, launch: Launch) -> None:
+        launch(tell_parts)
+        launch.meet()
+        launch(continue_into_walls)
+
+    def sum_forces(self, launch: Launch) -> None:
+        launch(sum_delta_rates)
+
+    def kick(self, launch: Launch) -> None:
+        launch(correct)
