@@ -7,6 +7,7 @@ import warp as wp
 
 from warpsph.core.faces import require_faces
 from warpsph.core.field import Field
+from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
