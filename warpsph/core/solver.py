@@ -30,6 +30,7 @@ class Solver:
         lower, upper: box (3,) of the neighbour grid [m].
         speed_limit: speed that no particle can have unless the simulation has diverged [m/s].
         skin: of the neighbour list, in spacings.
+        small_steps: of which each half of the way has one or more, where motion is of second order.
 
     Attributes:
         dt: time step [s].
@@ -45,8 +46,10 @@ class Solver:
         upper: np.ndarray,
         speed_limit: float,
         skin: float = 0.4,
+        small_steps: int = 1,
     ):
         self.executor, self.model, self.state, self.speed_limit = executor, model, state, speed_limit
+        self.small_steps = small_steps
         state.hold("time", wp.zeros(1, dtype=wp.float64, device=state.device))
         for name in ("steps", "runaway"):
             state.hold(name, wp.zeros(1, dtype=int, device=state.device))
@@ -55,6 +58,7 @@ class Solver:
         self._constants: dict[str, Any] = {
             "dt": 0.0,
             "interval": 0.0,
+            "small_dt": 0.0,
             "gravity": wp.vec3(*model.gravity),
             "speed_limit_squared": speed_limit**2,
         }
@@ -87,6 +91,8 @@ class Solver:
         }
         if model.periodic is None:
             self._acts["wrap"] = []
+        if not any("small steps" in term.provides for term in terms):
+            self._acts |= {"sum_fast_forces": [], "add_fast_forces": []}
         self.terms = terms
 
     @property
@@ -100,6 +106,7 @@ class Solver:
     def set_steps(self, dt: float, interval: float) -> None:
         """Choose the time step and the interval between two steps with heat [s], for what is launched from now on."""
         self._constants["dt"], self._constants["interval"] = dt, interval
+        self._constants["small_dt"] = 0.5 * dt / self.small_steps
 
     def prepare(self) -> None:
         """Bring what follows from the initial state up to date: neighbours, temperature, density, bonds, forces."""
@@ -114,6 +121,8 @@ class Solver:
             "change_phases",
             "sum_forces",
             "add_forces",
+            "sum_fast_forces",
+            "add_fast_forces",
         ):
             self.act(moment)
         self.set_steps(dt, interval)
@@ -122,12 +131,22 @@ class Solver:
         """Advance the flow by one time step."""
         self.neighbours.renew_if_outdated()
         self._together("set_out")
+        self._travel()
         self._together("find_density", "prescribe")
         self._together("arrive")
+        self._travel()
         self._together("find_walls")
         self._together("sum_forces")
         self._together("add_forces", "kick")
         self._together("move", "watch")
+
+    def _travel(self) -> None:
+        """Half the way of the step, where motion is of second order: in small steps, between which fast forces act."""
+        for _ in range(self.small_steps):
+            self._together("drift")
+            if self._acts["add_fast_forces"]:
+                self._together("sum_fast_forces")
+                self._together("add_fast_forces", "kick_little")
 
     def step_with_heat(self) -> None:
         """Advance the flow by one time step, and heat by as many as have passed since the last conduction."""

@@ -12,7 +12,8 @@ from warpsph.core.particles import Particles
 from warpsph.core.state import State
 
 MOMENTS = (
-    "set_out", "find_density", "prescribe", "arrive", "find_walls", "sum_forces", "add_forces", "kick", "move", "watch",
+    "set_out", "drift", "sum_fast_forces", "add_fast_forces", "kick_little",
+    "find_density", "prescribe", "arrive", "find_walls", "sum_forces", "add_forces", "kick", "move", "watch",
     "sum_heat", "add_heat", "after_heat", "find_temperature", "change_phases",
 )  # fmt: skip
 
@@ -67,6 +68,10 @@ class Term:
         """Longest stable time steps [s], each with its reason; ``moving`` are the indices of materials that move."""
         return {}
 
+    def longest_small_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
+        """Longest stable small steps [s] between two moments of its fast forces, each with its reason."""
+        return {}
+
     def longest_intervals(self, model: Model) -> dict[str, float]:
         """Longest stable intervals [s] between two steps with heat, each with its reason."""
         return {}
@@ -79,7 +84,19 @@ class Term:
         """Bring up to date what follows from the initial state, before phases change for the first time."""
 
     def set_out(self, launch: Launch) -> None:
-        """Move halfway, before the density is found there; single particles only."""
+        """Begin to move halfway, before the density is found there; single particles only."""
+
+    def drift(self, launch: Launch) -> None:
+        """Move by ``small_dt``, one or more times on either half of the way; single particles only."""
+
+    def sum_fast_forces(self, launch: Launch) -> None:
+        """Begin the fast acceleration of a small step, and find for each particle what it is made of."""
+
+    def add_fast_forces(self, launch: Launch) -> None:
+        """Add to the fast acceleration what is made of the sums that ``sum_fast_forces`` has found for others."""
+
+    def kick_little(self, launch: Launch) -> None:
+        """Advance the velocity by the fast acceleration; single particles only."""
 
     def find_density(self, launch: Launch) -> None:
         """Find density, pressure and volume of the fluid. May read other particles' positions, masses and velocities.
@@ -91,7 +108,7 @@ class Term:
         """Set pressure and velocity of the particles that a part leads; single particles only."""
 
     def arrive(self, launch: Launch) -> None:
-        """Move the other half, after the density was found; single particles only."""
+        """Act between the density in the middle of the step and the other half of the way; single particles only."""
 
     def find_walls(self, launch: Launch) -> None:
         """Find what walls show to the fluid, from density and pressure."""

@@ -68,4 +68,8 @@ class Rolls(Term):
         return np.concatenate([points + np.array([0.0, 0.0, z]) for z in along])
 
     def sum_forces(self, launch: Launch) -> None:
-        launch(press)
+        if "fast_acceleration" not in launch:
+            launch(press)
+
+    def sum_fast_forces(self, launch: Launch) -> None:
+        launch(press, acceleration=launch.find("fast_acceleration"))

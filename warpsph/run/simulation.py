@@ -94,7 +94,7 @@ class Simulation:
             speed_limit = min(FASTEST, *(term.speed_limit(model) for term in model.terms))
         if not number(speed_limit) > 0.0:
             raise InputError(f"speed_limit = {speed_limit!r}: must be positive [m/s]")
-        self.solver = Solver(executor, model, state, lower, upper, speed_limit)
+        self.solver = Solver(executor, model, state, lower, upper, speed_limit, small_steps=self.plan.small_steps)
         self.events = Events()
         self.recorder = Recorder(state, model.dimension, self.events, observe, describe)
         self._recordings: dict[CycleSteps, list[tuple[Recording, int]]] = {}

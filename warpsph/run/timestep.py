@@ -10,6 +10,9 @@ from warpsph.errors import InputError, number
 
 Limits = dict[str, float]
 
+MOST_SMALL_STEPS = 4  # on either half of the way, beyond which small steps take longer than what they save
+ROUNDING = 1.0e-9
+
 ROUNDING = 1.0e-9  # relative; what a number of steps times their length may differ from the length of them all
 
 
@@ -22,12 +25,14 @@ class StepPlan:
         heat_every: steps between two steps with heat.
         limits: of the flow and of solids [s], by reason.
         with_heat: whether heat is conducted at all.
+        small_steps: in how many small ones fast forces act on either half of the way.
     """
 
     longest: float
     heat_every: int
     limits: Limits
     with_heat: bool
+    small_steps: int = 1
 
 
 def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_factor: float) -> StepPlan:
@@ -44,12 +49,16 @@ def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_fac
     """
     terms: list[Term] = list(model.terms)
     steps: Limits = {}
+    small: Limits = {}
     intervals: Limits = {}
     for term in terms:
         _add(steps, term.longest_steps(model, moving), term)
+        _add(small, term.longest_small_steps(model, moving), term)
         _add(intervals, term.longest_intervals(model), term)
     if not 0.0 < number(step_factor) < np.inf:
         raise InputError(f"step_factor = {step_factor!r}: must be positive")
+    small_steps = _small_steps(steps, small)
+    steps |= {reason: 2 * small_steps * limit for reason, limit in small.items()}
     steps = {reason: step_factor * limit for reason, limit in steps.items()}
     heat_every = 1
     if intervals and not steps:
@@ -63,7 +72,15 @@ def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_fac
             longest = min(longest, shortest)
     if not np.isfinite(longest):
         raise InputError("dt: nothing limits the time step of this case; give one")
-    return StepPlan(longest, heat_every, steps, bool(intervals))
+    return StepPlan(longest, heat_every, steps, bool(intervals), small_steps)
+
+
+def _small_steps(steps: Limits, small: Limits) -> int:
+    """How many small steps either half of the way needs for the step to be as long as all else allows."""
+    if not small or not steps:
+        return 1
+    wanted = min(steps.values()) / (2.0 * min(small.values()))
+    return min(max(int(np.ceil(wanted - ROUNDING)), 1), MOST_SMALL_STEPS)
 
 
 def listed(limits: Limits) -> str:

@@ -28,6 +28,7 @@ from warpsph.terms.weakly_compressible import WeaklyCompressible
 SMOOTHING_KERNEL = "wendland_c2"
 ANISOTROPY = {2: 2.0, 3: 2.5}
 SOUND_STEP, VISCOUS_STEP = 1.0, 0.15  # longest steps in dx / c and dx^2 / nu
+SOUND_STEP_WITH_SOLIDS = 0.5  # a solid of few bonds swings in the fluid; at 1 the shell of a casting mould diverged
 
 
 def _reference_density(model: Model) -> float:
@@ -115,7 +116,8 @@ class CorrectedFluid(WeaklyCompressible):
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         dx = model.spacing
-        steps = {"sound": SOUND_STEP * dx / self.sound_speed}
+        with_solids = any("elasticity" in term.provides for term in model.terms)
+        steps = {"sound": (SOUND_STEP_WITH_SOLIDS if with_solids else SOUND_STEP) * dx / self.sound_speed}
         viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
         if viscosity > 0.0:
             steps["viscosity"] = VISCOUS_STEP * dx**2 * self.reference_density / viscosity

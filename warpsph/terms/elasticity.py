@@ -138,6 +138,12 @@ class Elasticity(Term):
         return model.support if self.support_ratio is None else self.support_ratio * model.spacing
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
+        return {} if _in_small_steps(model) else self._longest(model, moving)
+
+    def longest_small_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
+        return self._longest(model, moving) if _in_small_steps(model) else {}
+
+    def _longest(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         """The elastic wave, and the melt's sound with it, across half a spacing: bonds may be shorter than one."""
         wave = max((self.wave_speed(model.materials[m].density) for m in moving), default=0.0)
         if fluid := model.find(WeaklyCompressible):
@@ -149,10 +155,18 @@ class Elasticity(Term):
         launch(clear, values=launch.find("froze"))
 
     def sum_forces(self, launch: Launch) -> None:
-        launch(find_stress)
+        if "fast_acceleration" not in launch:
+            launch(find_stress)
 
     def add_forces(self, launch: Launch) -> None:
-        launch(add_elastic_forces)
+        if "fast_acceleration" not in launch:
+            launch(add_elastic_forces)
+
+    def sum_fast_forces(self, launch: Launch) -> None:
+        launch(find_stress)
+
+    def add_fast_forces(self, launch: Launch) -> None:
+        launch(add_elastic_forces, acceleration=launch.find("fast_acceleration"))
 
     def change_phases(self, launch: Launch) -> None:
         launch.when("phase_changed", lambda: self._renew_bonds(launch))
@@ -187,7 +201,7 @@ class Elasticity(Term):
     def _constants(self, model: Model, state: State) -> ElasticConstants:
         free = state.numpy("role") == Role.FREE
         moving = tuple(int(material) for material in np.unique(state.numpy("material")[free]))
-        step = min(self.longest_steps(model, moving).values(), default=np.inf)
+        step = min(self._longest(model, moving).values(), default=np.inf)
         constants = ElasticConstants()
         constants.lame_lambda, constants.lame_mu = self.lame
         constants.youngs_modulus = self.youngs_modulus
@@ -197,6 +211,10 @@ class Elasticity(Term):
         constants.corrected = int(self.corrected)
         constants.planar = int(model.dimension == 2)
         return constants
+
+
+def _in_small_steps(model: Model) -> bool:
+    return any("small steps" in term.provides for term in model.terms)
 
 
 def _empty_bonds(capacity: int, state: State) -> BondList:

@@ -176,19 +176,21 @@ def press_on_solids(
     """Add to the acceleration (n,) [m/s^2] of solid particles what the fluid and the walls do to them.
 
     Each pair of a solid and a fluid particle by the sum of their pressures, so that a face bears just the pressure that
-    the fluid has there.
+    the fluid has there. Viscosity damps bonds along their line only, for all of it would brake the turning of a solid.
     """
     i = wp.tid() + first
     if role[i] == Role.FREE and part[i] == SOLID:
         x_i = position[i]
         u_i = velocity[i]
         c = wp.sqrt(flow.bulk_modulus * flow.volume / mass[i])
+        bond_damping = float(flow.dimension) + 2.0  # so that viscosity along bonds alone damps shear as all of it would
         force = wp.vec3()
         held = wp.vec3()
         for k in range(neighbours.count[i]):
-            j = index_of(entry_of(neighbours, i, k))
+            entry = entry_of(neighbours, i, k)
+            j = index_of(entry)
             what = part[j]
-            if part[j] == FLUID or part[j] == WALL:
+            if part[j] == FLUID or part[j] == WALL or entry < 0:
                 d = difference(neighbours, x_i, position[j])
                 r_squared = wp.dot(d, d)
                 if r_squared < flow.support * flow.support:
@@ -197,8 +199,10 @@ def press_on_solids(
                     mu_j = viscosity[j]
                     if what == WALL:
                         held += stand_on_wall(flow, d, to_surface[j], c) * V_W
-                    else:
+                    elif what == FLUID:
                         force -= d * (F * (pressure[i] + pressure[j]))
+                    if entry < 0:
+                        u_ij = d * (bond_damping * wp.dot(d, u_ij) / (r_squared + 1.0e-20))
                     force += u_ij * (2.0 * mu_j * F)
         acceleration[i] += force * (flow.volume / mass[i]) + held
         shift_velocity[i] = wp.vec3()
