@@ -15,7 +15,9 @@ from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
 from warpsph.scenarios.elastic.rubber_rings import RubberRings
 from warpsph.scenarios.flow.dam_break import DamBreak
 from warpsph.scenarios.flow.drop import Drop
+from warpsph.scenarios.flow.free_patch import FreePatch
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
+from warpsph.scenarios.flow.taylor_green import TaylorGreen
 from warpsph.scenarios.freezing.cavity import Cavity
 from warpsph.scenarios.freezing.point_sink import PointSink
 from warpsph.scenarios.freezing.sodium_nitrate import SodiumNitrate
@@ -29,6 +31,7 @@ __all__ = [
     "CrystalGrowth",
     "DamBreak",
     "Drop",
+    "FreePatch",
     "HeatGaussian",
     "HeatSlab",
     "Hydrostatic",
@@ -42,4 +45,5 @@ __all__ = [
     "RubberRings",
     "SodiumNitrate",
     "StefanSlab",
+    "TaylorGreen",
 ]

@@ -21,6 +21,8 @@ SMALL: dict[str, Callable[[], dict[str, Any]]] = {
     "dam_break": lambda: {"columns": 8, "duration": 0.1, "output_interval": 0.02},
     "hydrostatic": lambda: {"rows": 20, "columns": 10, "duration": 0.05, "output_interval": 0.01},
     "drop": lambda: {"rows": 8, "duration": 0.2, "output_interval": 0.05},
+    "taylor_green": lambda: {"rows": 16, "duration": 0.1, "output_interval": 0.02},
+    "free_patch": lambda: {"rows": 16, "duration": 0.1, "output_interval": 0.02},
     "cantilever": lambda: {"layers": 4, "duration": 0.02, "output_interval": 0.005},
     "rubber_rings": lambda: {"layers": 4, "duration": 0.01, "output_interval": 0.002},
     "rotated_disc": lambda: {"spacing": 0.005, "stretch": 0.02, "duration": 4e-3, "output_interval": 1e-3},
