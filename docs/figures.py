@@ -17,6 +17,7 @@ from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stef
 from matplotlib.colors import LogNorm
 from particle_figures import draw_block, draw_ensemble
 from plate_figures import draw_errors, draw_isotherms
+from vortex_figures import draw_patch, draw_vortices
 
 from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario
@@ -444,6 +445,26 @@ def drop_swing(picture: Path) -> None:
     axes.legend(frameon=False)
     drawing.savefig(picture, dpi=150)
     plt.close(drawing)
+
+
+@figure
+def taylor_green(picture: Path) -> None:
+    """The vortices at the end, their decay by each formulation, and the error of its rate over the rows."""
+    formulations = {name: simulated("taylor_green", None, f"formulation={name}") for name in ("corrected", "delta")}
+    kinds = {"lattice": (), "disordered": ("start=disordered",), "lattice, sound twice as fast": ("sound_speed=20.0",)}
+    refined = {
+        kind: {n: simulated("taylor_green", None, f"rows={n}", *settings) for n in (25, 50, 100)}
+        for kind, settings in kinds.items()
+    }
+    draw_vortices(formulations, refined, picture)
+
+
+@figure
+def free_patch(picture: Path) -> None:
+    """The patch at three times, and what each formulation makes of its energy and its area."""
+    names = ("corrected", "delta", "continuity")
+    runs = {name: simulated("free_patch", None, "start=disordered", f"formulation={name}") for name in names}
+    draw_patch(runs, (0.0, 0.5, 1.0), picture)
 
 
 @figure
