@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
 from conduction_figures import draw_cost, draw_steps
+from convection_figures import draw_convection
 from crystal_figures import draw_crystal_growth
 from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stefan
 from matplotlib.colors import LogNorm
@@ -250,6 +251,17 @@ def plate_fixed(picture: Path) -> None:
     """Isotherms of the plate between cold edges at the times of the source."""
     runs = {"default": _plate("plate_fixed"), "published": _plate("plate_fixed", "paper")}
     draw_isotherms(runs, [0.25, 1.0, 4.0, 8.0], np.arange(10.0, 100.0, 10.0), picture)
+
+
+@figure
+def natural_convection(picture: Path) -> None:
+    """Isotherms, arrows and Nusselt numbers of three boxes."""
+    scenario = find_scenario("natural_convection")
+    runs = {}
+    for preset in ("weak", None, "strong"):
+        case = resolve(scenario, [preset_layer(scenario, preset)] if preset else [])
+        runs[case] = simulated("natural_convection", preset)
+    draw_convection(runs, picture)
 
 
 @figure
