@@ -19,6 +19,7 @@ from matplotlib.colors import LogNorm
 from particle_figures import draw_block, draw_ensemble
 from plate_figures import draw_errors, draw_isotherms
 from vortex_figures import draw_patch, draw_vortices
+from shear_figures import draw_channels
 
 from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario
@@ -433,6 +434,24 @@ def dam_break_front(picture: Path) -> None:
 def dam_break_space(picture: Path) -> None:
     """The collapse in space."""
     render_still(simulated("dam_break", "space"), picture, field="temperature", time=0.4)
+
+
+@figure
+def poiseuille(picture: Path) -> None:
+    """Profiles of the pushed fluid, between plates that rub and with one along which it slips, beside the series."""
+    cases: dict[str, tuple[str, ...]] = {"plates that rub": (), "it slips along the upper one": ("slip=upper",)}
+    draw_channels({title: simulated("poiseuille", None, *settings) for title, settings in cases.items()}, picture)
+
+
+@figure
+def couette(picture: Path) -> None:
+    """Profiles between plates that slide, one of them or both, beside the series."""
+    cases: dict[str, tuple[str, ...]] = {
+        "the upper plate slides": (),
+        "both slide": ("lower=-1.0",),
+        "it slips along the lower one": ("slip=lower",),
+    }
+    draw_channels({title: simulated("couette", None, *settings) for title, settings in cases.items()}, picture)
 
 
 @figure

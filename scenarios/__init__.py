@@ -13,12 +13,14 @@ from warpsph.scenarios.crystal.crystal_growth import CrystalGrowth
 from warpsph.scenarios.elastic.cantilever import Cantilever
 from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
 from warpsph.scenarios.elastic.rubber_rings import RubberRings
+from warpsph.scenarios.flow.couette import Couette
 from warpsph.scenarios.flow.dam_break import DamBreak
 from warpsph.scenarios.flow.drop import Drop
 from warpsph.scenarios.flow.free_patch import FreePatch
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
 from warpsph.scenarios.flow.taylor_green import TaylorGreen
 from warpsph.scenarios.flow.natural_convection import NaturalConvection
+from warpsph.scenarios.flow.poiseuille import Poiseuille
 from warpsph.scenarios.freezing.cavity import Cavity
 from warpsph.scenarios.freezing.point_sink import PointSink
 from warpsph.scenarios.freezing.sodium_nitrate import SodiumNitrate
@@ -29,6 +31,7 @@ __all__ = [
     "Cantilever",
     "Casting",
     "Cavity",
+    "Couette",
     "CrystalGrowth",
     "DamBreak",
     "Drop",
@@ -43,6 +46,7 @@ __all__ = [
     "PlateConvective",
     "PlateFixed",
     "PointSink",
+    "Poiseuille",
     "RotatedDisc",
     "RubberRings",
     "SodiumNitrate",

@@ -47,7 +47,7 @@ def test_the_mean_compression_stays_as_it_is_at_the_start(device):
     """If it failed, the pressure of a closed box would drift away, by the errors in the corners under a sliding lid."""
     assert abs(drift(stirred(device))) > 5e-4
     for compression in (0.0, 0.02):
-        # the rest of one step of 10 ms, where a second leaves 3e-3
+        # the rest of one step of 10 ms, where a second leaves 2e-3
         assert abs(drift(stirred(device, compression, Enclosed()))) < 1e-4
 
 
