@@ -20,6 +20,7 @@ from particle_figures import draw_block, draw_ensemble
 from plate_figures import draw_errors, draw_isotherms
 from vortex_figures import draw_patch, draw_vortices
 from shear_figures import draw_channels
+from shear_figures import draw_cavity_flow, draw_channels
 
 from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario
@@ -452,6 +453,13 @@ def couette(picture: Path) -> None:
         "it slips along the lower one": ("slip=lower",),
     }
     draw_channels({title: simulated("couette", None, *settings) for title, settings in cases.items()}, picture)
+
+
+@figure
+def cavity_flow_profiles(picture: Path) -> None:
+    """Velocity on the centre lines of the box under a lid, at two Reynolds numbers, beside the published ones."""
+    settings = {100: (), 400: ("reynolds=400.0", "duration=50.0")}
+    draw_cavity_flow({re: simulated("cavity_flow", None, *given) for re, given in settings.items()}, picture)
 
 
 @figure

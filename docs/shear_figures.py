@@ -7,6 +7,7 @@ import numpy as np
 
 from warpsph.cli.catalogue import find_scenario
 from warpsph.files.results import ResultFile
+from warpsph.scenarios.flow.cavity_flow import published_profile
 from warpsph.scenarios.flow.channel import FOURIERS
 
 DOTS_PER_INCH = 150
@@ -26,6 +27,21 @@ def draw_channels(results: dict[str, ResultFile], picture: Path) -> None:
             panel.plot(series["velocity"][frame], series["place"][frame], "o", ms=4, color=f"C{colour}", label=label)
         panel.set(xlabel="u / U", ylabel="y / H", ylim=(0.0, 1.0), title=title)
     axes[-1].legend(title=r"$\nu t/H^2$", frameon=False, loc="center left", bbox_to_anchor=(1.0, 0.5))
+    drawing.savefig(picture, dpi=DOTS_PER_INCH)
+    plt.close(drawing)
+
+
+def draw_cavity_flow(results: dict[int, ResultFile], picture: Path) -> None:
+    """Velocity on the vertical and on the horizontal centre line, by Reynolds number: lines over published points."""
+    drawing, axes = plt.subplots(1, 2, figsize=(9.0, 4.0), layout="constrained")
+    for panel, name, title in zip(axes, "uv", ("vertical centre line", "horizontal centre line"), strict=True):
+        for colour, (reynolds, result) in enumerate(results.items()):
+            series, (place, published) = result.diagnostics, published_profile(name, reynolds)
+            panel.plot(series["place"][-1], series[name][-1], "-", color=f"C{colour}", label=f"Re {reynolds}, warpsph")
+            label = f"Re {reynolds}, Ghia, Ghia & Shin (1982)"
+            panel.plot(place, published, "o", ms=4, mfc="none", color=f"C{colour}", label=label)
+        panel.set(xlabel="y / L" if name == "u" else "x / L", ylabel=f"{name} / U", title=title, xlim=(0.0, 1.0))
+    axes[0].legend(frameon=False, fontsize=8)
     drawing.savefig(picture, dpi=DOTS_PER_INCH)
     plt.close(drawing)
 

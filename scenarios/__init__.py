@@ -13,6 +13,7 @@ from warpsph.scenarios.crystal.crystal_growth import CrystalGrowth
 from warpsph.scenarios.elastic.cantilever import Cantilever
 from warpsph.scenarios.elastic.rotated_disc import RotatedDisc
 from warpsph.scenarios.elastic.rubber_rings import RubberRings
+from warpsph.scenarios.flow.cavity_flow import CavityFlow
 from warpsph.scenarios.flow.couette import Couette
 from warpsph.scenarios.flow.dam_break import DamBreak
 from warpsph.scenarios.flow.drop import Drop
@@ -31,6 +32,7 @@ __all__ = [
     "Cantilever",
     "Casting",
     "Cavity",
+    "CavityFlow",
     "Couette",
     "CrystalGrowth",
     "DamBreak",

@@ -22,6 +22,7 @@ SMALL: dict[str, Callable[[], dict[str, Any]]] = {
     "hydrostatic": lambda: {"rows": 20, "columns": 10, "duration": 0.05, "output_interval": 0.01},
     "natural_convection": lambda: {"rows": 10, "duration": 0.2, "output_interval": 0.05},
     "poiseuille": lambda: {"rows": 8, "duration": 0.2, "output_interval": 0.05},
+    "cavity_flow": lambda: {"rows": 10, "duration": 0.2, "output_interval": 0.05},
     "couette": lambda: {"rows": 8, "duration": 0.2, "output_interval": 0.05},
     "drop": lambda: {"rows": 8, "duration": 0.2, "output_interval": 0.05},
     "taylor_green": lambda: {"rows": 16, "duration": 0.1, "output_interval": 0.02},
