@@ -18,9 +18,8 @@ from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stef
 from matplotlib.colors import LogNorm
 from particle_figures import draw_block, draw_ensemble
 from plate_figures import draw_errors, draw_isotherms
-from vortex_figures import draw_patch, draw_vortices
-from shear_figures import draw_channels
 from shear_figures import draw_cavity_flow, draw_channels
+from vortex_figures import draw_patch, draw_vortices
 
 from warpsph.cases.case import preset_layer, resolve, settings_layer
 from warpsph.cli.catalogue import find_scenario

@@ -19,9 +19,9 @@ from warpsph.scenarios.flow.dam_break import DamBreak
 from warpsph.scenarios.flow.drop import Drop
 from warpsph.scenarios.flow.free_patch import FreePatch
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
-from warpsph.scenarios.flow.taylor_green import TaylorGreen
 from warpsph.scenarios.flow.natural_convection import NaturalConvection
 from warpsph.scenarios.flow.poiseuille import Poiseuille
+from warpsph.scenarios.flow.taylor_green import TaylorGreen
 from warpsph.scenarios.freezing.cavity import Cavity
 from warpsph.scenarios.freezing.point_sink import PointSink
 from warpsph.scenarios.freezing.sodium_nitrate import SodiumNitrate

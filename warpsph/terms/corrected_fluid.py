@@ -155,6 +155,7 @@ def flow_constants(model: Model) -> FlowConstants:
     flow = FlowConstants()
     flow.support, flow.spacing, flow.volume = H, dx, model.cell_volume
     flow.scale = model.cell_volume * smoothing.normalisation(SMOOTHING_KERNEL, model.dimension, H)
+    flow.slope_scale = flow.scale / model.lattice.slope(SMOOTHING_KERNEL)
     flow.bulk_modulus = fluid.reference_density * fluid.sound_speed**2
     flow.bulk_delay = fluid.bulk_delay * h / fluid.sound_speed
     flow.diffusion = 2.0 * fluid.density_diffusion * h

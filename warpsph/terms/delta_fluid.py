@@ -100,7 +100,7 @@ class DeltaFluid(Term):
         H, dx, h = model.support, model.spacing, 0.5 * model.support
         flow = FlowConstants()
         flow.support, flow.spacing, flow.volume = H, dx, model.cell_volume
-        flow.scale = model.cell_volume * normalisation("wendland_c2", model.dimension, H)
+        flow.slope_scale = model.cell_volume * normalisation("wendland_c2", model.dimension, H)
         flow.bulk_modulus = self.bulk_modulus
         flow.diffusion = 2.0 * self.density_diffusion * h
         flow.artificial = self.artificial_viscosity * h

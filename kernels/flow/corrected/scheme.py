@@ -27,17 +27,19 @@ SMALLEST_DETERMINANT = wp.constant(0.3)  # of a moment matrix that is inverted
 class FlowConstants:
     """Constants of the corrected flow.
 
-    ``support`` H and ``spacing`` dx [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``scale`` volume times
-    the normalisation of W; ``bulk_modulus`` rho_0 c^2 [Pa]; ``bulk_delay`` tau [s]
-    by which pressure resists compression; ``diffusion`` 2 delta h and ``artificial`` alpha h [m]; ``quadratic`` 2 h^2
-    [m^2]; ``shifting`` 8 h [m]; ``highest_shift_speed`` [m/s]; ``inverse_nearest`` 1 / (V W(dx)); ``anisotropy`` k of
-    the weight of viscosity; ``dimension``; ``free_surface`` 1 where pressure at walls does not fall below zero.
+    ``support`` H and ``spacing`` dx [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``scale`` volume times the
+    normalisation of W, ``slope_scale`` the same of W', such that the moment matrix of the lattice is the identity;
+    ``bulk_modulus`` rho_0 c^2 [Pa]; ``bulk_delay`` tau [s] by which pressure resists compression; ``diffusion``
+    2 delta h and ``artificial`` alpha h [m]; ``quadratic`` 2 h^2 [m^2]; ``shifting`` 8 h [m]; ``highest_shift_speed``
+    [m/s]; ``inverse_nearest`` 1 / (V W(dx)); ``anisotropy`` k of the weight of viscosity; ``dimension``;
+    ``free_surface`` 1 where pressure at walls does not fall below zero.
     """
 
     support: float
     spacing: float
     volume: float
     scale: float
+    slope_scale: float
     bulk_modulus: float
     bulk_delay: float
     diffusion: float
@@ -54,7 +56,7 @@ class FlowConstants:
 @wp.func
 def slope_of(flow: FlowConstants, r_squared: float) -> float:
     """V W'(r) / r, so that V grad W = slope * x_ij; Wendland C2."""
-    return flow.scale * wendland_c2_slope(r_squared, flow.support)
+    return flow.slope_scale * wendland_c2_slope(r_squared, flow.support)
 
 
 @wp.func
@@ -62,8 +64,8 @@ def slope_and_weight(flow: FlowConstants, r_squared: float):
     """V W'(r) / r and V W(r), by one root."""
     r = wp.sqrt(r_squared)
     gap = flow.support - r
-    scaled = flow.scale * gap * gap * gap
-    return -20.0 * scaled, scaled * gap * (flow.support + 4.0 * r)
+    cubed = gap * gap * gap
+    return -20.0 * flow.slope_scale * cubed, flow.scale * cubed * gap * (flow.support + 4.0 * r)
 
 
 @wp.func
