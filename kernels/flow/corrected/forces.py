@@ -79,7 +79,6 @@ def add_flow_forces(
         mean = trace / float(flow.dimension)
         c_squared = flow.bulk_modulus * flow.volume / mass[i]
         sound_speed = wp.sqrt(c_squared)
-        artificial = flow.artificial * sound_speed
         pressed = wp.vec3()
         sheared = wp.vec3()
         rubbed = wp.vec3()
@@ -123,7 +122,10 @@ def add_flow_forces(
                         near = 1
                     of_gradient = 0.5 * wp.dot(d, G_d + velocity_gradient[j] * d)
                     q = (wp.dot(u_ij, d) - of_gradient) * inverse
-                    damped += V_grad_W * (q * (artificial - flow.quadratic * wp.min(q, 0.0)))
+                    artificial = flow.artificial
+                    if not inside or surface[j] != INTERIOR:
+                        artificial = flow.artificial_at_surface
+                    damped += V_grad_W * (q * (artificial * sound_speed - flow.quadratic * wp.min(q, 0.0)))
                 rubbed += u_ij * (mu * F)
                 if inside:
                     pressed += V_grad_W * (p_j - p_i)

@@ -30,9 +30,9 @@ class FlowConstants:
     ``support`` H and ``spacing`` dx [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``scale`` volume times the
     normalisation of W, ``slope_scale`` the same of W', such that the moment matrix of the lattice is the identity;
     ``bulk_modulus`` rho_0 c^2 [Pa]; ``bulk_delay`` tau [s] by which pressure resists compression; ``diffusion``
-    2 delta h and ``artificial`` alpha h [m]; ``quadratic`` 2 h^2 [m^2]; ``shifting`` 8 h [m]; ``highest_shift_speed``
-    [m/s]; ``inverse_nearest`` 1 / (V W(dx)); ``anisotropy`` k of the weight of viscosity; ``dimension``;
-    ``free_surface`` 1 where pressure at walls does not fall below zero.
+    2 delta h and ``artificial`` alpha h [m], ``artificial_at_surface`` at and near a free surface; ``quadratic`` 2 h^2
+    [m^2]; ``shifting`` 8 h [m]; ``highest_shift_speed`` [m/s]; ``inverse_nearest`` 1 / (V W(dx)); ``anisotropy`` k of
+    the weight of viscosity; ``dimension``; ``free_surface`` 1 where pressure at walls does not fall below zero.
     """
 
     support: float
@@ -44,6 +44,7 @@ class FlowConstants:
     bulk_delay: float
     diffusion: float
     artificial: float
+    artificial_at_surface: float
     quadratic: float
     shifting: float
     highest_shift_speed: float
