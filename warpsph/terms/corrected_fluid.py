@@ -26,9 +26,11 @@ from warpsph.terms.fluid import Fluid
 from warpsph.terms.weakly_compressible import WeaklyCompressible
 
 SMOOTHING_KERNEL = "wendland_c2"
+HALF_A_CELL = 0.51  # from the middle of a face to an edge, with a little more for rounding
 ANISOTROPY = {2: 2.0, 3: 2.5}
 SOUND_STEP, VISCOUS_STEP = 1.0, 0.15  # longest steps in dx / c and dx^2 / nu
-SOUND_STEP_WITH_SOLIDS = 0.5  # a solid of few bonds swings in the fluid; at 1 the shell of a casting mould diverged
+SOLID_STEP = 0.5  # longest step in dx / c with solids: a solid of few bonds swings in the fluid; at 1 the shell of a casting mould diverged
+SURFACE_STEP = 0.7  # longest step in dx / c where there is a free surface: at 1.0 impacts at Mach 0.3 may diverge
 
 
 def _reference_density(model: Model) -> float:
@@ -123,7 +125,8 @@ class CorrectedFluid(WeaklyCompressible):
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         dx = model.spacing
         with_solids = any("elasticity" in term.provides for term in model.terms)
-        steps = {"sound": (SOUND_STEP_WITH_SOLIDS if with_solids else SOUND_STEP) * dx / self.sound_speed}
+        sound_step = SURFACE_STEP if self.free_surface else SOUND_STEP
+        steps = {"sound": (SOLID_STEP if with_solids else sound_step) * dx / self.sound_speed}
         viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
         if viscosity > 0.0:
             steps["viscosity"] = VISCOUS_STEP * dx**2 * self.reference_density / viscosity
@@ -160,6 +163,7 @@ def flow_constants(model: Model) -> FlowConstants:
     h = 0.5 * H
     flow = FlowConstants()
     flow.support, flow.spacing, flow.volume = H, dx, model.cell_volume
+    flow.beside = HALF_A_CELL * dx * float(np.sqrt(model.dimension - 1.0))
     flow.scale = model.cell_volume * smoothing.normalisation(SMOOTHING_KERNEL, model.dimension, H)
     flow.slope_scale = flow.scale / model.lattice.slope(SMOOTHING_KERNEL)
     flow.bulk_modulus = fluid.reference_density * fluid.sound_speed**2

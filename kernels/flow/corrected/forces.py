@@ -27,6 +27,7 @@ GUARD = wp.constant(0.1)  # of the particles of a wall on a fluid particle that 
 GUARD_RANGE = wp.constant(0.75)  # [dx]
 PUSH = wp.constant(0.5)  # of a wall on a solid that comes close to its face [c^2 / dx]
 STANDING = wp.constant(0.5)  # how close to the face a solid stands [dx]
+STOP_RANGE = wp.constant(1.0)  # within which nothing may come closer to the face in a step than by half [dx]
 
 
 @wp.func
@@ -41,9 +42,41 @@ def stand_on_wall(flow: FlowConstants, d: wp.vec3, to_surface: wp.vec3, sound_sp
     return normal * (held / flow.spacing)
 
 
+@wp.func
+def stop_at_faces(
+    flow: FlowConstants,
+    dt: float,
+    i: int,
+    motion: wp.vec3,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    velocity: wp.array[wp.vec3],
+    to_surface: wp.array[wp.vec3],
+    part: wp.array[int],
+):
+    """The acceleration [m/s^2] which a particle that moves by ``motion`` [m/s] in the coming step needs to halve its
+    distance to the face of a wall at most, or, behind it, to come back by half. Only the face right before it counts:
+    at an edge that stands out into the fluid it is behind the other one.
+    """
+    stopped = motion
+    for k in range(neighbours.count[i]):
+        j = index_of(entry_of(neighbours, i, k))
+        if part[j] == WALL:
+            d = difference(neighbours, position[i], position[j])
+            if wp.dot(d, d) < flow.support * flow.support:
+                depth = wp.length(to_surface[j])
+                normal = to_surface[j] / depth
+                height = wp.dot(d, normal) - depth
+                if height < STOP_RANGE * flow.spacing:
+                    excess = -0.5 * height / dt - wp.dot(stopped - velocity[j], normal)
+                    stopped += normal * wp.max(excess, 0.0)
+    return (stopped - motion) / dt
+
+
 @wp.kernel
 def add_flow_forces(
     first: int,
+    dt: float,
     flow: FlowConstants,
     neighbours: NeighbourList,
     position: wp.array[wp.vec3],
@@ -89,6 +122,7 @@ def add_flow_forces(
         near = int(0)
         slips = bool(False)
         nearest_squared = 1.0e-6 * flow.spacing * flow.spacing
+        at_wall = int(0)
         for k in range(neighbours.count[i]):
             j = index_of(entry_of(neighbours, i, k))
             d = difference(neighbours, x_i, position[j])
@@ -114,6 +148,9 @@ def add_flow_forces(
                     r = wp.sqrt(r_squared) / flow.spacing
                     if r < GUARD_RANGE:
                         guarded += d * (GUARD * c_squared * (1.0 / r - 1.0 / GUARD_RANGE))
+                    depth = wp.length(to_surface[j])
+                    if wp.dot(d, to_surface[j]) < depth * (depth + STOP_RANGE * flow.spacing):
+                        at_wall = 1
                     u_ij = u_i - ghost_velocity[j]
                 elif what == FLUID:
                     if mu_j != mu_i:
@@ -154,7 +191,12 @@ def add_flow_forces(
         change = force * (flow.volume / mass[i]) + damped + guarded / (flow.spacing * flow.spacing)
         if inside:
             change += G_i * shift
-        acceleration[i] += change
+        change += acceleration[i]
+        if at_wall != 0 and dt > 0.0:
+            change += stop_at_faces(
+                flow, dt, i, u_i + shift + change * dt, neighbours, position, velocity, to_surface, part
+            )
+        acceleration[i] = change
         shift_velocity[i] = shift
         is_near[i] = near
 

@@ -27,7 +27,8 @@ SMALLEST_DETERMINANT = wp.constant(0.3)  # of a moment matrix that is inverted
 class FlowConstants:
     """Constants of the corrected flow.
 
-    ``support`` H and ``spacing`` dx [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``scale`` volume times the
+    ``support`` H, ``spacing`` dx and ``beside``, how far aside a particle is at most of the nearest one in a layer of a
+    wall [m]; ``volume`` of a particle [m^3, or m^2 in 2D]; ``scale`` volume times the
     normalisation of W, ``slope_scale`` the same of W', such that the moment matrix of the lattice is the identity;
     ``bulk_modulus`` rho_0 c^2 [Pa]; ``bulk_delay`` tau [s] by which pressure resists compression; ``diffusion``
     2 delta h and ``artificial`` alpha h [m], ``artificial_at_surface`` at and near a free surface; ``quadratic`` 2 h^2
@@ -37,6 +38,7 @@ class FlowConstants:
 
     support: float
     spacing: float
+    beside: float
     volume: float
     scale: float
     slope_scale: float
