@@ -29,8 +29,8 @@ SMOOTHING_KERNEL = "wendland_c2"
 HALF_A_CELL = 0.51  # from the middle of a face to an edge, with a little more for rounding
 ANISOTROPY = {2: 2.0, 3: 2.5}
 SOUND_STEP, VISCOUS_STEP = 1.0, 0.15  # longest steps in dx / c and dx^2 / nu
-SOLID_STEP = 0.5  # longest step in dx / c with solids: a solid of few bonds swings in the fluid; at 1 the shell of a casting mould diverged
-SURFACE_STEP = 0.7  # longest step in dx / c where there is a free surface: at 1.0 impacts at Mach 0.3 may diverge
+SOLID_STEP = 0.5  # longest step in dx / c with solids: at 1 the shell of a casting mould diverged
+SURFACE_STEP = 0.7  # the same with a free surface: at 1 impacts at Mach 0.3 may diverge
 
 
 def _reference_density(model: Model) -> float:

@@ -82,6 +82,7 @@ def add_flow_forces(
     position: wp.array[wp.vec3],
     velocity: wp.array[wp.vec3],
     ghost_velocity: wp.array[wp.vec3],
+    to_surface: wp.array[wp.vec3],
     pressure: wp.array[float],
     viscosity: wp.array[float],
     mass: wp.array[float],

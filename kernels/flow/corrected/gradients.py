@@ -2,7 +2,6 @@
 
 import warp as wp
 
-from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.flow.corrected.scheme import (
     FLUID,
     INTERIOR,
@@ -106,7 +105,6 @@ def compress(
     first: int,
     dt: float,
     flow: FlowConstants,
-    role: wp.array[int],
     part: wp.array[int],
     mass: wp.array[float],
     surface: wp.array[int],
@@ -127,13 +125,10 @@ def compress(
     """
     i = wp.tid() + first
     if part[i] == FLUID:
-        if role[i] == Role.OUTFLOW:  # another part sets its pressure
-            compression[i] = pressure[i] / flow.bulk_modulus
-        else:
-            s = compression[i] + dt * compression_rate[i]
-            if flow.free_surface != 0 and (surface[i] == SURFACE or not all_eigenvalues_above(moment[i], SPRAY_BELOW)):
-                s = wp.max(s, 0.0)
-            compression[i] = s
-            pressure[i] = flow.bulk_modulus * (s - flow.bulk_delay * divergence[i])
+        s = compression[i] + dt * compression_rate[i]
+        if flow.free_surface != 0 and (surface[i] == SURFACE or not all_eigenvalues_above(moment[i], SPRAY_BELOW)):
+            s = wp.max(s, 0.0)
+        compression[i] = s
+        pressure[i] = flow.bulk_modulus * (s - flow.bulk_delay * divergence[i])
         compression_slope[i] = next_slope[i]
-        density[i] = mass[i] / flow.volume * (1.0 + compression[i])
+        density[i] = mass[i] / flow.volume * (1.0 + s)

@@ -11,7 +11,7 @@ wp.set_module_options({"enable_backward": False})
 # What a particle is to the flow
 NOTHING = wp.constant(0)  # spray, rolls, what is in the reservoir
 FLUID = wp.constant(1)
-SOLID = wp.constant(2)  # what froze, and melt that is led through a nozzle: walls that move
+SOLID = wp.constant(2)  # what froze, and melt that inlet and outflow lead: walls that move
 WALL = wp.constant(3)
 
 # Where a particle is in the fluid, by the smallest eigenvalue of its moment matrix, which is 1 inside
@@ -95,6 +95,8 @@ def tell_parts(first: int, role: wp.array[int], phase: wp.array[int], fluid_mass
     if fluid_mass[i] > 0.0:
         if role[i] == Role.WALL or role[i] == Role.DUMMY:
             what = WALL
+        elif role[i] == Role.FREE and phase[i] != Phase.SOLID:
+            what = FLUID
         elif is_fluid(role[i]):
-            what = wp.where(phase[i] == Phase.SOLID or role[i] == Role.INFLOW, SOLID, FLUID)
+            what = SOLID
     part[i] = what
