@@ -30,6 +30,7 @@ from warpsph.core.model import GRAVITY
 from warpsph.files.results import ResultFile
 from warpsph.nearest import did_you_mean
 from warpsph.pictures import plot_diagnostics, render_series, render_still
+from warpsph.pictures.lines import Lines
 from warpsph.scenarios.casting.experiments import INLETS
 from warpsph.scenarios.casting.travelling_slice import shell_thickness
 from warpsph.scenarios.elastic.cantilever import period, spectral_elements
@@ -452,6 +453,12 @@ def couette(picture: Path) -> None:
         "it slips along the lower one": ("slip=lower",),
     }
     draw_channels({title: simulated("couette", None, *settings) for title, settings in cases.items()}, picture)
+
+
+@figure
+def cavity_flow(picture: Path) -> None:
+    """Vorticity and streamlines of the box under a lid."""
+    render_still(simulated("cavity_flow"), picture, field="vorticity", lines=Lines(streamlines=True))
 
 
 @figure

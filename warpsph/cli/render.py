@@ -1,7 +1,7 @@
 """``warpsph render``."""
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 from cyclopts import Parameter
@@ -13,6 +13,9 @@ from warpsph.cli.target import check_free, check_target
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 
+if TYPE_CHECKING:  # matplotlib takes long to import, and help must appear at once
+    from warpsph.pictures.lines import Lines
+
 
 def render(
     file: Path,
@@ -22,6 +25,9 @@ def render(
     time: Annotated[float | None, Parameter(metavar="SECONDS", validator=Number(gte=0))] = None,
     movie: bool = False,
     cut: Annotated[str | None, Parameter(metavar="AXIS=METRES")] = None,
+    arrows: Annotated[bool, Parameter(negative=())] = False,
+    streamlines: Annotated[bool, Parameter(negative=())] = False,
+    levels: Annotated[str | None, Parameter(metavar="[NAME=]VALUE,...")] = None,
     output: Annotated[Path | None, Parameter(metavar="PICTURE")] = None,
     overwrite: bool = False,
 ) -> None:
@@ -32,17 +38,24 @@ def render(
     file
         A VTKHDF file written by `warpsph run`.
     field
-        Colour the particles by this field, for example temperature, pressure, velocity, phase or role; a casting as
-        a caster sees it, and else temperature or speed, when not given.
+        Colour the particles by this field, for example temperature, pressure, velocity, vorticity, phase or role; a
+        casting as a caster sees it, and else temperature or speed, when not given.
     time
         Physical time in s; the nearest frame is drawn, the last one when not given.
     movie
         Draw all frames as a movie.
     cut
         Cut the picture open: leave out what lies beyond a plane, for example z=0.03 in three dimensions.
+    arrows
+        Show velocities as arrows, in two dimensions.
+    streamlines
+        Draw lines that follow the velocity, in two dimensions.
+    levels
+        Draw lines of equal value, in two dimensions: of the field that the colours show, or of the one that is named,
+        for example temperature=1723.15,1773.15, the solidus and the liquidus of a steel.
     output
         The picture to write; when not given it stands beside FILE and is called after it, the field, the time of the
-        frame and the cut, as far as they are given.
+        frame, the cut and the lines, as far as they are given.
     overwrite
         Replace the picture if it exists.
     """
@@ -58,9 +71,13 @@ def render(
     if time is not None:
         _check_time(result, time)
         time = float(result.times[result.nearest(time)])
-    picture = output or _beside(file, field, time, plane, suffix)
+    named, values = _levels(levels)
+    drawn = [word for word, given in (("arrows", arrows), ("streamlines", streamlines), ("levels", levels)) if given]
+    picture = output or _beside(file, field, time, plane, drawn, suffix)
     check_free(picture, overwrite)
-    _draw(result, picture, field, time, movie, plane)
+    from warpsph.pictures.lines import Lines
+
+    _draw(result, picture, field, time, movie, plane, Lines(arrows, streamlines, values, named))
     output_console().print(Text(f"written: {picture}"), soft_wrap=True)
 
 
@@ -71,14 +88,15 @@ def _draw(
     time: float | None,
     movie: bool,
     plane: tuple[int, float] | None,
+    lines: "Lines",
 ) -> None:
     from warpsph.pictures import render_movie, render_still
 
     if movie:
         with error_console().status("drawing the movie"):
-            render_movie(result, picture, field=field)
+            render_movie(result, picture, field=field, lines=lines)
     else:
-        render_still(result, picture, field=field, time=time, cut=plane)
+        render_still(result, picture, field=field, time=time, cut=plane, lines=lines)
 
 
 def _plane(cut: str | None) -> tuple[int, float] | None:
@@ -92,13 +110,31 @@ def _plane(cut: str | None) -> tuple[int, float] | None:
         raise InputError(f"--cut '{cut}': give an axis and a place in metres, for example z=0.03") from None
 
 
-def _beside(file: Path, field: str | None, time: float | None, plane: tuple[int, float] | None, suffix: str) -> Path:
+def _levels(text: str | None) -> tuple[str | None, tuple[float, ...]]:
+    """The field, None for the one that the colours show, and the values of ``[NAME=]VALUE,...``."""
+    if text is None:
+        return None, ()
+    name, _, values = text.rpartition("=")
+    try:
+        return name.strip() or None, tuple(float(value) for value in values.split(","))
+    except ValueError:
+        raise InputError(f"--levels '{text}': give numbers, for example 0.1,0.2 or temperature=1723,1773") from None
+
+
+def _beside(
+    file: Path,
+    field: str | None,
+    time: float | None,
+    plane: tuple[int, float] | None,
+    lines: list[str],
+    suffix: str,
+) -> Path:
     """The picture's name, which says what it shows."""
     words = [file.stem]
     words += [field.replace("/", " ")] if field is not None else []
     words += [f"{time:.6g}s"] if time is not None else []
     words += [f"{'xyz'[plane[0]]}={plane[1]:g}"] if plane is not None else []
-    return file.with_name("-".join(words) + suffix)
+    return file.with_name("-".join(words + lines) + suffix)
 
 
 def _check_time(result: ResultFile, time: float) -> None:

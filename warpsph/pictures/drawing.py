@@ -3,16 +3,21 @@
 import sys
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
-from warpsph.pictures import graphics
+from warpsph.pictures import graphics, vorticity
 from warpsph.pictures.bonds import SHRUNK, bonds_of, draw_bonds
+from warpsph.pictures.lines import NO_LINES, Lines, draw_lines
 from warpsph.pictures.looks import choose_look
+from warpsph.pictures.parts import Fields
 from warpsph.pictures.sheet import Sheet
 from warpsph.pictures.shell_edge import draw_edge
+from warpsph.pictures.shown_field import values_of
 from warpsph.pictures.view import make_view
 
 SURVEYED_FRAMES = 9
@@ -31,9 +36,11 @@ class Drawing:
         long_side: of one panel [inch].
         dots_per_inch: resolution of the sheet.
         cut: axis (0, 1, 2) and place [m] of a plane, beyond which nothing is drawn; None for no cut.
+        lines: what is drawn over the particles, in the plane.
 
     Raises:
-        InputError: there is no frame, no such field, nothing on this side of the cut, or no depth to cut in.
+        InputError: there is no frame, no such field, nothing on this side of the cut, no depth to cut in, or no plane
+            or no velocity for the lines.
     """
 
     def __init__(
@@ -45,10 +52,12 @@ class Drawing:
         long_side: float,
         dots_per_inch: int,
         cut: Cut | None = None,
+        lines: Lines = NO_LINES,
     ) -> None:
         if len(result.times) == 0:
             raise InputError(f"{result.path}: holds no frame to draw")
-        self.result, self.cut = result, cut
+        self.result, self.cut, self.lines = result, cut, lines
+        self._finds_vorticity = vorticity.NAME in (field, lines.field)
         survey = np.linspace(0, len(result.times) - 1, SURVEYED_FRAMES).round().astype(int).tolist()
         frames = {k: self._frame(k) for k in {*drawn, *survey}}
         if cut is not None and cut[0] == 2 and not any(np.any(points[:, 2]) for points, _ in frames.values()):
@@ -56,7 +65,10 @@ class Drawing:
         if cut is not None and not any(len(points) for points, _ in frames.values()):
             raise InputError(f"cut = {'xyz'[cut[0]]}={cut[1]:g}: all particles lie beyond it")
         self.look = choose_look(result, field, list(frames.values()))
+        self.field = field if field is not None else getattr(self.look, "name", "temperature")
         self.view = make_view(result, [frames[k] for k in drawn])
+        if lines:
+            self._refuse_lines(next(iter(frames.values()))[1])
         self.sheet = Sheet(self.view, self.look, panels, long_side, dots_per_inch, float(result.times[-1]))
         most = max(len(points) for points, _ in frames.values())
         self.bonds = bonds_of(result, most, self.sheet.scale)
@@ -70,14 +82,29 @@ class Drawing:
         layered = self.view.layered(points, fields["role"])
         image = painter()(layered, self.look.colours(fields), diameters, self.view, self.sheet.size)
         self.sheet.show(panel, image, self.result.times[k])
-        if self.look.edge and self.view.camera is None:
-            self.sheet.overlay(panel, lambda axes: draw_edge(axes, points, fields, self.view))
-        elif self.bonds is not None:
-            bonds = self.bonds
-            self.sheet.overlay(panel, lambda axes: draw_bonds(axes, points, fields, bonds))
+        self.sheet.overlay(panel, lambda axes: self._draw_lines(axes, points, fields))
+
+    def _draw_lines(self, axes: Axes, points: np.ndarray, fields: Fields) -> list[Any]:
+        """Draw what lies over the particles; return what can be removed again."""
+        if self.view.camera is not None:
+            return []
+        drawn = draw_edge(axes, points, fields, self.view) if self.look.edge else []
+        if self.bonds is not None and not self.look.edge:
+            drawn += draw_bonds(axes, points, fields, self.bonds)
+        return drawn + (draw_lines(axes, points, fields, self.view, self.lines, self.field) if self.lines else [])
+
+    def _refuse_lines(self, fields: Fields) -> None:
+        if self.view.camera is not None:
+            raise InputError("arrows, streamlines and levels are drawn in the plane; this run is three-dimensional")
+        if (self.lines.arrows or self.lines.streamlines) and "velocity" not in fields:
+            raise InputError(f"{self.result.path}: holds no velocity for arrows and streamlines")
+        if self.lines.levels:
+            values_of(fields, self.lines.field or self.field)
 
     def _frame(self, k: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
         points, fields = self.result.frame(k)
+        if self._finds_vorticity and vorticity.NAME not in fields and "velocity" in fields:
+            fields[vorticity.NAME] = vorticity.vorticity(points, fields)
         if self.cut is None:
             return points, fields
         axis, place = self.cut

@@ -10,7 +10,15 @@ from matplotlib.colors import Normalize, TwoSlopeNorm, to_rgb
 from warpsph.core.labels import Phase, Role
 from warpsph.core.quantity import Quantity
 from warpsph.files.results import ResultFile
-from warpsph.pictures.palette import MATERIAL_COLOURS, PHASE_COLOURS, ROLE_COLOURS, UNKNOWN, colour_map, shell_and_melt
+from warpsph.pictures.palette import (
+    DIVERGING,
+    MATERIAL_COLOURS,
+    PHASE_COLOURS,
+    ROLE_COLOURS,
+    UNKNOWN,
+    colour_map,
+    shell_and_melt,
+)
 from warpsph.pictures.parts import BESIDE_THE_FLUID, ROLE_NAMES, Fields, Frames, Parts
 from warpsph.pictures.scales import colour_range, ticks_around
 from warpsph.pictures.shown_field import quantity_of, values_of
@@ -67,7 +75,10 @@ class QuantityLook:
         self.name, self.parts, self.edge = name, parts, edge
         values = [values_of(fields, name)[~parts.among(fields)] for _, fields in frames]
         low, high, extend = colour_range(np.concatenate(values), whole=name == "temperature")
-        self.mappable = ScalarMappable(Normalize(low, high), colour_map(quantity.colours))
+        colours = quantity.colours
+        if colours in DIVERGING:
+            low, high, colours = (-max(-low, high), max(-low, high), colours) if low < 0.0 else (low, high, "viridis")
+        self.mappable = ScalarMappable(Normalize(low, high), colour_map(colours))
         self.title = title_of(quantity)
         self.bar = Bar(self.mappable, extend)
 

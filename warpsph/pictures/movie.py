@@ -9,6 +9,7 @@ import numpy as np
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 from warpsph.pictures.drawing import SURVEYED_FRAMES, Drawing, check_output
+from warpsph.pictures.lines import NO_LINES, Lines
 
 DOTS_PER_INCH = 140
 LONG_SIDE = 7.2  # inches
@@ -16,14 +17,19 @@ SECONDS, FASTEST, SLOWEST = 10, 30, 4  # length to aim at; frames a second
 
 
 def render_movie(
-    result: ResultFile, output: Path, *, field: str | None = None, progress: Callable[[int, int], None] | None = None
+    result: ResultFile,
+    output: Path,
+    *,
+    field: str | None = None,
+    lines: Lines = NO_LINES,
+    progress: Callable[[int, int], None] | None = None,
 ) -> None:
     """Draw every frame into an mp4 file (H.264), with one view and one colour scale.
 
     Args:
         result: the run.
         output: a file that ends in ".mp4"; it appears when it is complete.
-        field: as in :func:`warpsph.pictures.render_still`.
+        field, lines: as in :func:`warpsph.pictures.render_still`.
         progress: called with (frames done, frames) after each.
 
     Raises:
@@ -35,7 +41,7 @@ def render_movie(
     check_output(output, (".mp4",))
     count = len(result.times)
     framed = np.linspace(0, count - 1, 2 * SURVEYED_FRAMES).round().astype(int).tolist() if count else []
-    drawing = Drawing(result, framed, field, 1, LONG_SIDE, DOTS_PER_INCH)
+    drawing = Drawing(result, framed, field, 1, LONG_SIDE, DOTS_PER_INCH, lines=lines)
     unfinished = output.with_name(f".{output.stem}.{os.getpid()}.mp4")
     height, width, _ = drawing.sheet.pixels().shape
     rate = min(max(count / SECONDS, SLOWEST), FASTEST)

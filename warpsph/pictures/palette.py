@@ -27,6 +27,8 @@ PHASE_COLOURS: Mapping[int, str] = {Phase.LIQUID: "#ee7412", Phase.MUSHY: "#f6c6
 UNKNOWN = "#999999"
 MATERIAL_COLOURS = ("#ee7412", "#35b8a9", "#34567d", "#b279a2", "#bab0ac", "#9d755d")
 
+DIVERGING = ("RdBu_r",)  # maps whose middle is zero
+
 SHELL = ("#0a1a33", "#17365f", "#2c5f8f", "#5b93bd", "#a3c8de")
 MELT = ("#a81f08", "#d24a0c", "#ef7c18", "#fbab35", "#fed766", "#fff3b8")
 
