@@ -7,12 +7,12 @@ import warp as wp
 
 from warpsph.core.faces import require_faces
 from warpsph.core.field import Field
-from warpsph.core.labels import Role
+from warpsph.core.labels import Phase, Role
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
-from warpsph.errors import number, require
+from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics import smoothing
 from warpsph.kernels.basics.host import on_host
 from warpsph.kernels.basics.roles import FLUID_ROLES
@@ -28,6 +28,8 @@ from warpsph.terms.weakly_compressible import WeaklyCompressible
 SMOOTHING_KERNEL = "wendland_c2"
 HALF_A_CELL = 0.51  # from the middle of a face to an edge, with a little more for rounding
 ANISOTROPY = {2: 2.0, 3: 2.5}
+LARGEST_RATIO = 10.0  # of two densities: layers at rest are calm up to 30, and fly apart at 100
+SAME_DENSITY = 1.0e-6  # relative difference
 SOUND_STEP, VISCOUS_STEP = 1.0, 0.15  # longest steps in dx / c and dx^2 / nu
 SOLID_STEP = 0.5  # longest step in dx / c with solids: at 1 the shell of a casting mould diverged
 SURFACE_STEP = 0.7  # the same with a free surface: at 1 impacts at Mach 0.3 may diverge
@@ -45,9 +47,12 @@ class CorrectedFluid(WeaklyCompressible):
     corrected by the moment matrix (Bonet & Lok 1999), walls after Adami, Hu & Adams (2012) with a velocity fitted
     through the wall's own, shifting after Sun et al. (2017).
 
+    Each fluid has the density and the viscosity of its material, a pair the harmonic mean of the viscosities. All have
+    one bulk modulus rho_0 c^2, so that compression goes on through an interface, and sound is faster in a lighter one.
+
     Args:
-        reference_density: rho_0 [kg/m^3].
-        sound_speed: c [m/s], ten times the highest speed or more.
+        reference_density: rho_0 [kg/m^3], that of one of the fluids.
+        sound_speed: c [m/s] in that one, ten times the highest speed or more.
         free_surface: whether there is one: walls then do not pull, and the surface bears no tension.
         density_diffusion: delta.
         artificial_viscosity: alpha; it acts on what a velocity has beside its linear part.
@@ -97,15 +102,30 @@ class CorrectedFluid(WeaklyCompressible):
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         require_faces(fields, particles.flows)
         mass = self.particle_mass(model)
+        own = np.array([material.density for material in model.materials])[fields["material"]]
         moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
+        self._refuse_densities(np.unique(own[moves & (fields["phase"] != Phase.SOLID)]))
         return {
-            "mass": np.where(moves, mass, fields["mass"]),
+            "mass": np.where(moves, own * model.cell_volume, fields["mass"]),
             "fluid_mass": np.where(particles.flows, mass, 0.0),
             "volume": np.where(particles.flows, model.cell_volume, 0.0),
             "viscosity": np.array([material.viscosity for material in model.materials])[fields["material"]],
             "ghost_velocity": fields["velocity"],
-            "density": self.reference_density * (1.0 + fields["compression"]),
+            "density": np.where(moves, own, self.reference_density) * (1.0 + fields["compression"]),
         }
+
+    def _refuse_densities(self, flowing: np.ndarray) -> None:
+        """Densities (n,) [kg/m^3] of what flows: one is the reference, and they do not differ too much."""
+        if len(flowing) and flowing.max() > LARGEST_RATIO * flowing.min():
+            raise InputError(
+                f"CorrectedFluid: fluids of {flowing.min():g} and {flowing.max():g} kg/m^3: the heaviest may have "
+                f"{LARGEST_RATIO:g} times the density of the lightest; leave the lightest out, behind a free surface"
+            )
+        if len(flowing) and np.abs(flowing / self.reference_density - 1.0).min() > SAME_DENSITY:
+            raise InputError(
+                f"CorrectedFluid: reference_density = {self.reference_density:g} kg/m^3 is that of none of the fluids; "
+                f"give {flowing.max():g}"
+            )
 
     def particle_mass(self, model: Model) -> float:
         return self.reference_density * model.cell_volume
@@ -124,12 +144,15 @@ class CorrectedFluid(WeaklyCompressible):
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         dx = model.spacing
+        flowing = [model.materials[m] for m in moving]
+        lightest = min([self.reference_density, *(material.density for material in flowing)])
+        fastest = self.sound_speed * float(np.sqrt(self.reference_density / lightest))
         with_solids = any("elasticity" in term.provides for term in model.terms)
-        sound_step = SURFACE_STEP if self.free_surface else SOUND_STEP
-        steps = {"sound": (SOLID_STEP if with_solids else sound_step) * dx / self.sound_speed}
-        viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
-        if viscosity > 0.0:
-            steps["viscosity"] = VISCOUS_STEP * dx**2 * self.reference_density / viscosity
+        sound_step = SOLID_STEP if with_solids else SURFACE_STEP if self.free_surface else SOUND_STEP
+        steps = {"sound": sound_step * dx / fastest}
+        thickest = max((material.viscosity / material.density for material in flowing), default=0.0)
+        if thickest > 0.0:
+            steps["viscosity"] = VISCOUS_STEP * dx**2 / thickest
         return steps
 
     def set_out(self, launch: Launch) -> None:

@@ -14,6 +14,7 @@ from warpsph.kernels.flow.corrected.scheme import (
     FlowConstants,
     all_eigenvalues_above,
     correction_of,
+    share_of_difference,
     slope_and_weight,
 )
 from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
@@ -88,6 +89,7 @@ def add_flow_forces(
     mass: wp.array[float],
     role: wp.array[int],
     part: wp.array[int],
+    material: wp.array[int],
     surface: wp.array[int],
     moment: wp.array[wp.mat33],
     velocity_gradient: wp.array[wp.mat33],
@@ -122,6 +124,8 @@ def add_flow_forces(
         guarded = wp.vec3()
         near = int(0)
         slips = bool(False)
+        bends = bool(False)
+        lean = wp.vec3()
         nearest_squared = 1.0e-6 * flow.spacing * flow.spacing
         at_wall = int(0)
         for k in range(neighbours.count[i]):
@@ -141,6 +145,7 @@ def add_flow_forces(
                 p_j = pressure[j]
                 mu_j = viscosity[j]
                 mu = mu_i
+                share = float(1.0)
                 u_ij = u_i - velocity[j]
                 if what == WALL:
                     if mu_j == 0.0:
@@ -154,6 +159,9 @@ def add_flow_forces(
                         at_wall = 1
                     u_ij = u_i - ghost_velocity[j]
                 elif what == FLUID:
+                    if material[j] != material[i]:
+                        share = share_of_difference(mass[i], mass[j])
+                        bends = bends or mu_j != mu_i
                     if mu_j != mu_i:
                         mu = 2.0 * mu_i * mu_j / (mu_i + mu_j)
                     if surface[j] == SURFACE:
@@ -166,11 +174,12 @@ def add_flow_forces(
                     damped += V_grad_W * (q * (artificial * sound_speed - flow.quadratic * wp.min(q, 0.0)))
                 rubbed += u_ij * (mu * F)
                 if inside:
-                    pressed += V_grad_W * (p_j - p_i)
+                    pressed += V_grad_W * (share * (p_j - p_i))
                     w = 1.0 - flow.anisotropy * (wp.dot(d, M * d) * inverse - mean)
-                    sheared += (u_ij - G_d) * (mu * w * F)
+                    sheared += u_ij * (mu * w * F)
+                    lean += d * (mu * w * F)
                 else:
-                    pressed += V_grad_W * (p_j + p_i)
+                    pressed += V_grad_W * (share * p_j + (2.0 - share) * p_i)
         L = correction_of(M)
         normal = wp.normalize(L * crowding)
         rate = wp.sqrt(wp.ddot(G_i, G_i))
@@ -187,6 +196,8 @@ def add_flow_forces(
             pressed = L * pressed
             # where a wall does not rub, the one-sided sum of pairs has no friction at its face, the corrected one has
             if not slips:
+                if not bends:  # between two viscosities the gradient is that of neither side, and the stress is one
+                    sheared -= G_i * lean
                 rubbed = sheared / mean
         force = rubbed * 2.0 - pressed
         change = force * (flow.volume / mass[i]) + damped + guarded / (flow.spacing * flow.spacing)

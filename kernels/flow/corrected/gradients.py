@@ -14,6 +14,7 @@ from warpsph.kernels.flow.corrected.scheme import (
     FlowConstants,
     all_eigenvalues_above,
     correction_of,
+    share_of_difference,
     slope_of,
 )
 from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
@@ -68,16 +69,19 @@ def find_gradients(
             if r_squared < flow.support * flow.support and what != NOTHING:
                 F = slope_of(flow, r_squared)
                 V_grad_W = d * F
+                share = float(1.0)
                 u_j = velocity[j]
                 if what == WALL:
                     u_j = ghost_velocity[j]
                 if what != FLUID:
                     smoothing -= (compression[j] - s_i + wp.dot(slope_i, d)) * F
-                elif material[j] == material[i]:
+                elif material[j] != material[i]:
+                    share = share_of_difference(mass[i], mass[j])
+                else:
                     smoothing -= (compression[j] - s_i + 0.5 * wp.dot(slope_i + compression_slope[j], d)) * F
                 M -= wp.outer(d, V_grad_W)
                 grad_u += wp.outer(u_j - u_i, V_grad_W)
-                grad_s += V_grad_W * (compression[j] - s_i)
+                grad_s += V_grad_W * (share * (compression[j] - s_i))
         if flow.dimension == 2:
             M[2, 2] = 1.0
         place = INTERIOR

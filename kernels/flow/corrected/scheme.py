@@ -87,6 +87,16 @@ def correction_of(moment: wp.mat33) -> wp.mat33:
     return correction
 
 
+@wp.func
+def share_of_difference(mass: float, other: float) -> float:
+    """By what a difference of pressure is multiplied, so that its gradient is that on the particle's own side.
+
+    Between fluids of two densities the slope of the pressure at rest has a bend; half of the way, and of the
+    difference, lies on each side (Hu & Adams 2007).
+    """
+    return 2.0 * mass / (mass + other)
+
+
 @wp.kernel
 def tell_parts(first: int, role: wp.array[int], phase: wp.array[int], fluid_mass: wp.array[float], part: wp.array[int]):
     """Write what each particle is to the flow; nothing where it has no ``fluid_mass`` (n,) [kg]."""
