@@ -24,7 +24,7 @@ def draw_convection(runs: dict[NaturalConvection, ResultFile], picture: Path) ->
         time = result.diagnostics["time"] * case.diffusivity / case.length**2
         below.plot(time, result.diagnostics["nusselt"], f"C{number}", label=f"Ra = {case.rayleigh:g}")
         below.axhline(DE_VAHL_DAVIS[case.rayleigh][0], color=f"C{number}", ls="--", lw=0.8)
-    below.set(xlabel="time over $L^2/\\kappa$", ylabel="Nusselt number", xlim=(0.0, 0.3), ylim=(0.0, 8.0))
+    below.set(xlabel="time over $L^2/\\kappa$", ylabel="Nusselt number", xlim=(0.0, 0.3), ylim=(0.0, 12.0))
     below.legend(frameon=False, ncols=len(runs))
     drawing.savefig(picture, dpi=120)
     plt.close(drawing)

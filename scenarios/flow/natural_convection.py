@@ -48,7 +48,7 @@ class NaturalConvection(Scenario):
     presets = ("weak", "strong")
 
     duration: float = parameter(8.0, "s", "physical time to simulate", gt=0, le=1e4)
-    output_interval: float = parameter(0.5, "s", "physical time between two frames and diagnostics", gt=0, le=1e4)
+    output_interval: float = parameter(0.1, "s", "physical time between two frames and diagnostics", gt=0, le=1e4)
     rayleigh: float = parameter(1e4, "", "Rayleigh number g beta dT L^3 / (nu kappa)", ge=1.0, le=1e6)
     prandtl: float = parameter(0.71, "", "Prandtl number nu / kappa", ge=0.1, le=100.0)
     rows: int = parameter(40, "", "rows of particles", ge=10, le=400)
