@@ -14,6 +14,7 @@ from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, 
 from conduction_figures import draw_cost, draw_steps
 from convection_figures import draw_convection
 from crystal_figures import draw_crystal_growth
+from flow_figures import draw_impact, draw_scatter
 from freezing_figures import draw_cavity, draw_sink, draw_sink_radius, draw_stefan
 from matplotlib.colors import LogNorm
 from particle_figures import draw_block, draw_ensemble
@@ -466,6 +467,26 @@ def cavity_flow_profiles(picture: Path) -> None:
     """Velocity on the centre lines of the box under a lid, at two Reynolds numbers, beside the published ones."""
     settings = {100: (), 400: ("reynolds=400.0", "duration=50.0")}
     draw_cavity_flow({re: simulated("cavity_flow", None, *given) for re, given in settings.items()}, picture)
+def dam_impact(picture: Path) -> None:
+    """The wave before, at and after the impact, and when it comes back, coloured by pressure."""
+    render_series(simulated("dam_impact"), picture, [0.0, 0.35, 0.6, 1.2], field="pressure")
+
+
+@figure
+def dam_impact_pressure(picture: Path) -> None:
+    """Pressures on the end wall and levels beside the experiment."""
+    draw_impact(simulated("dam_impact"), find_scenario("dam_impact")().moment, picture)
+
+
+@figure
+def still_tank(picture: Path) -> None:
+    """Pressure of every particle over its height, with both formulations at the same viscosity."""
+    case = find_scenario("still_tank")()
+    settings = f"viscosity={case.viscosity_of_cell(10.0):.4g}"
+    names = ("published", "corrected")
+    draw_scatter(
+        case, {name: simulated("still_tank", None, settings, f"formulation={name}") for name in names}, picture
+    )
 
 
 @figure

@@ -16,12 +16,14 @@ from warpsph.scenarios.elastic.rubber_rings import RubberRings
 from warpsph.scenarios.flow.cavity_flow import CavityFlow
 from warpsph.scenarios.flow.couette import Couette
 from warpsph.scenarios.flow.dam_break import DamBreak
+from warpsph.scenarios.flow.dam_impact import DamImpact
 from warpsph.scenarios.flow.drop import Drop
 from warpsph.scenarios.flow.free_patch import FreePatch
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
 from warpsph.scenarios.flow.natural_convection import NaturalConvection
 from warpsph.scenarios.flow.poiseuille import Poiseuille
 from warpsph.scenarios.flow.taylor_green import TaylorGreen
+from warpsph.scenarios.flow.still_tank import StillTank
 from warpsph.scenarios.freezing.cavity import Cavity
 from warpsph.scenarios.freezing.point_sink import PointSink
 from warpsph.scenarios.freezing.sodium_nitrate import SodiumNitrate
@@ -36,6 +38,7 @@ __all__ = [
     "Couette",
     "CrystalGrowth",
     "DamBreak",
+    "DamImpact",
     "Drop",
     "FreePatch",
     "HeatGaussian",
@@ -54,4 +57,5 @@ __all__ = [
     "SodiumNitrate",
     "StefanSlab",
     "TaylorGreen",
+    "StillTank",
 ]

@@ -19,6 +19,8 @@ SMALL: dict[str, Callable[[], dict[str, Any]]] = {
     "casting": lambda: {"duration": 0.06, "output_interval": 0.02, "spray_flux": 0.8},
     "breakout": lambda: {"duration": 0.06, "output_interval": 0.02, "spray_failure": 0.03},
     "dam_break": lambda: {"columns": 8, "duration": 0.1, "output_interval": 0.02},
+    "dam_impact": lambda: {"rows": 8, "duration": 0.1, "output_interval": 0.02},
+    "still_tank": lambda: {"rows": 8, "duration": 0.2, "output_interval": 0.05},
     "hydrostatic": lambda: {"rows": 20, "columns": 10, "duration": 0.05, "output_interval": 0.01},
     "natural_convection": lambda: {"rows": 10, "duration": 0.2, "output_interval": 0.05},
     "poiseuille": lambda: {"rows": 8, "duration": 0.2, "output_interval": 0.05},

@@ -1,0 +1,37 @@
+"""The dam break against a wall, coarse."""
+
+import numpy as np
+import pytest
+
+from warpsph.scenarios.flow.dam_impact import DamImpact, arrival
+from warpsph.scenarios.flow.lobovsky import GAUGES, SENSORS, published_level, published_pressure
+
+
+def test_published_tables_are_whole():
+    """Otherwise the reference would not be the experiment, or a column would be that of another sensor."""
+    for sensor in SENSORS:
+        time, _ = published_pressure(sensor)
+        assert len(time) == 247
+        assert np.all(np.diff(time) > 0.0)
+    peaks = [published_pressure(sensor)[1].max() for sensor in SENSORS]
+    assert peaks == pytest.approx([2.52, 1.91, 1.52, 0.81], abs=0.01)
+    assert all(published_level(gauge)[1][0] == (gauge == "h1") for gauge in GAUGES)
+
+
+def test_arrival_is_between_two_outputs():
+    """Otherwise the arrival would be late by an interval of output."""
+    assert arrival(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.1, 0.3])) == pytest.approx(2.5)
+    assert arrival(np.array([1.0, 2.0]), np.array([0.0, 0.1])) is None
+
+
+def test_wave_arrives_in_time_and_nothing_escapes(device):
+    """Otherwise the water would rub, stick or leak at the walls."""
+    scenario = DamImpact(rows=20, duration=0.6)
+    result = scenario.run(device=device)
+    assert result.diagnostics["escaped"].max() == 0.0
+    time = result.diagnostics["time"] / scenario.moment
+    first = arrival(*published_pressure("p1"))
+    assert arrival(time, result.diagnostics["p1"]) == pytest.approx(first, rel=0.05)
+    levels = [check for check in scenario.checks(result) if "level" in check.quantity]
+    assert len(levels) == 4
+    assert all(check.passed for check in levels)
