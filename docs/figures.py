@@ -467,6 +467,8 @@ def cavity_flow_profiles(picture: Path) -> None:
     """Velocity on the centre lines of the box under a lid, at two Reynolds numbers, beside the published ones."""
     settings = {100: (), 400: ("reynolds=400.0", "duration=50.0")}
     draw_cavity_flow({re: simulated("cavity_flow", None, *given) for re, given in settings.items()}, picture)
+
+
 def dam_impact(picture: Path) -> None:
     """The wave before, at and after the impact, and when it comes back, coloured by pressure."""
     render_series(simulated("dam_impact"), picture, [0.0, 0.35, 0.6, 1.2], field="pressure")

@@ -22,8 +22,8 @@ from warpsph.scenarios.flow.free_patch import FreePatch
 from warpsph.scenarios.flow.hydrostatic import Hydrostatic
 from warpsph.scenarios.flow.natural_convection import NaturalConvection
 from warpsph.scenarios.flow.poiseuille import Poiseuille
-from warpsph.scenarios.flow.taylor_green import TaylorGreen
 from warpsph.scenarios.flow.still_tank import StillTank
+from warpsph.scenarios.flow.taylor_green import TaylorGreen
 from warpsph.scenarios.freezing.cavity import Cavity
 from warpsph.scenarios.freezing.point_sink import PointSink
 from warpsph.scenarios.freezing.sodium_nitrate import SodiumNitrate
@@ -56,6 +56,6 @@ __all__ = [
     "RubberRings",
     "SodiumNitrate",
     "StefanSlab",
-    "TaylorGreen",
     "StillTank",
+    "TaylorGreen",
 ]
