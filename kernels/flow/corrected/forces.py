@@ -67,8 +67,9 @@ def stop_at_faces(
             if wp.dot(d, d) < flow.support * flow.support:
                 depth = wp.length(to_surface[j])
                 normal = to_surface[j] / depth
-                height = wp.dot(d, normal) - depth
-                if height < STOP_RANGE * flow.spacing:
+                across = wp.dot(d, normal)
+                height = across - depth
+                if height < STOP_RANGE * flow.spacing and wp.length(d - across * normal) < flow.beside:
                     excess = -0.5 * height / dt - wp.dot(stopped - velocity[j], normal)
                     stopped += normal * wp.max(excess, 0.0)
     return (stopped - motion) / dt
