@@ -75,6 +75,7 @@ class CorrectedFluid(WeaklyCompressible):
             require(self, name, 0.0 <= number(getattr(self, name)) < np.inf, "zero or positive")
         if self.surface_viscosity is not None:
             require(self, "surface_viscosity", 0.0 <= number(self.surface_viscosity) < np.inf, "zero or positive")
+        require(self, "free_surface", isinstance(self.free_surface, bool | np.bool_), "True or False")
         super().__post_init__()
 
     provides = ("fluid", "a flow", "density", "a density by continuity")

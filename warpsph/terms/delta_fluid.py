@@ -60,6 +60,7 @@ class DeltaFluid(Term):
             require(self, name, 0.0 <= number(getattr(self, name)) < np.inf, "zero or positive")
         require(self, "reference_density", 0.0 < number(self.reference_density) < np.inf, "positive [kg/m^3]")
         require(self, "sound_speed", 0.0 < number(self.sound_speed) < np.inf, "positive [m/s]")
+        require(self, "free_surface", isinstance(self.free_surface, bool | np.bool_), "True or False")
         require(self, "exponent", 1.0 <= number(self.exponent) <= 10.0, "from 1, linear, to 10")
 
     provides = ("a flow",)

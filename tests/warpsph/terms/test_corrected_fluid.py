@@ -219,3 +219,10 @@ def test_a_wall_whose_face_is_unknown_is_refused():
     particles.add(lattice((0.0, -0.15), (1.0, 0.0), 0.05), Role.DUMMY, "wall")
     with pytest.raises(InputError, match="to_surface"):
         Simulation(Executor("cpu"), flow(), particles)
+
+
+@pytest.mark.parametrize("answer", ["no", None, 2])
+def test_a_free_surface_is_there_or_not(answer):
+    """The text "no" would count for yes, or end in an error that names no argument."""
+    with pytest.raises(InputError, match=r"free_surface = .* True or False"):
+        CorrectedFluid(1.0, SOUND, free_surface=answer)

@@ -120,7 +120,9 @@ def test_a_tank_comes_to_rest(device):
     assert np.linalg.norm(state["velocity"][fluid], axis=1).max() < 0.05 * np.sqrt(GRAVITY)
 
 
-@pytest.mark.parametrize("wrong", [{"exponent": 0.5}, {"background_pressure": -1.0}, {"density_diffusion": np.inf}])
+@pytest.mark.parametrize(
+    "wrong", [{"exponent": 0.5}, {"background_pressure": -1.0}, {"density_diffusion": np.inf}, {"free_surface": "no"}]
+)
 def test_parameters_out_of_bounds_are_refused(wrong):
     """They would end in numbers that are none."""
     with pytest.raises(InputError, match=next(iter(wrong))):
