@@ -28,6 +28,7 @@ GUARD = wp.constant(0.1)  # of the particles of a wall on a fluid particle that 
 GUARD_RANGE = wp.constant(0.75)  # [dx]
 PUSH = wp.constant(0.5)  # of a wall on a solid that comes close to its face [c^2 / dx]
 STANDING = wp.constant(0.5)  # how close to the face a solid stands [dx]
+LEAST_MEAN = wp.constant(1.0e-6)  # of a moment matrix; that of a particle without neighbours is 0
 STOP_RANGE = wp.constant(1.0)  # within which nothing may come closer to the face in a step than by half [dx]
 
 
@@ -199,7 +200,7 @@ def add_flow_forces(
             if not slips:
                 if not bends:  # between two viscosities the gradient is that of neither side, and the stress is one
                     sheared -= G_i * lean
-                rubbed = sheared / mean
+                rubbed = sheared / wp.max(mean, LEAST_MEAN)
         force = rubbed * 2.0 - pressed
         change = force * (flow.volume / mass[i]) + damped + guarded / (flow.spacing * flow.spacing)
         if inside:

@@ -226,3 +226,14 @@ def test_a_free_surface_is_there_or_not(answer):
     """The text "no" would count for yes, or end in an error that names no argument."""
     with pytest.raises(InputError, match=r"free_surface = .* True or False"):
         CorrectedFluid(1.0, SOUND, free_surface=answer)
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+def test_a_particle_without_neighbours_falls(dimension, device):
+    """In a flow that has no free surface its friction, zero over zero, would be no number."""
+    particles = Particles()
+    particles.add(np.zeros((1, 3)), Role.FREE, "fluid")
+    model = flow(dimension, gravity=(0.0, -GRAVITY, 0.0))
+    simulation = Simulation(Executor(device), model, particles, lower=(-1.0,) * 3, upper=(1.0,) * 3)
+    simulation.run(0.1, 0.1)
+    np.testing.assert_allclose(simulation.snapshot()["velocity"][0], (0.0, -0.1 * GRAVITY, 0.0), rtol=1e-5)
