@@ -8,18 +8,20 @@ import warp as wp
 
 from warpsph.core.faces import require_faces
 from warpsph.core.field import Field
+from warpsph.core.labels import Phase
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import number, require
+from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics.host import on_host
+from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
 from warpsph.kernels.flow.delta import compression_pressure, correct, predict, sum_delta_rates
-from warpsph.terms.corrected_fluid import CorrectedFluid
+from warpsph.terms.corrected_fluid import SAME_DENSITY, CorrectedFluid
 from warpsph.terms.weakly_compressible import SOUND_LIMIT
 
 SOUND_STEP, VISCOUS_STEP, GRAVITY_STEP = 0.4, 0.125, 0.25  # longest steps in dx / c, h^2 / nu and sqrt(h / g)
@@ -85,6 +87,9 @@ class DeltaFluid(Term):
 
     def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
         require_faces(fields, particles.flows)
+        free = np.isin(fields["role"], FLUID_ROLES) & particles.flows
+        self._refuse_solids(model, fields["phase"][free])
+        self._refuse_other_densities(model, fields["material"][free])
         s = fields["compression"]
         pressure = on_host(cast(wp.Function, compression_pressure))(s, self.bulk_modulus, self.exponent)
         mass = np.full(len(particles), self.reference_density * model.cell_volume)
@@ -96,6 +101,27 @@ class DeltaFluid(Term):
             "density": self.reference_density * (1.0 + s),
             "pressure": self.background_pressure + pressure,
         }
+
+    def _refuse_solids(self, model: Model, phases: np.ndarray) -> None:
+        """Fluid would bear on them as on walls, and nothing on them."""
+        for term in model.terms:
+            if "elasticity" in term.provides or "a change of phase" in term.provides:
+                raise InputError(
+                    f"DeltaFluid and {type(term).__name__} exclude each other: it knows no solids but walls; "
+                    "take CorrectedFluid or Fluid"
+                )
+        if np.any(phases == Phase.SOLID):
+            raise InputError("DeltaFluid: it knows no solids but walls; take CorrectedFluid or Fluid for free ones")
+
+    def _refuse_other_densities(self, model: Model, materials: np.ndarray) -> None:
+        for index in np.unique(materials):
+            material = model.materials[index]
+            if abs(material.density / self.reference_density - 1.0) > SAME_DENSITY:
+                raise InputError(
+                    f"DeltaFluid: {material.name} of {material.density:g} kg/m^3 flows, but this formulation knows one "
+                    f"density, reference_density = {self.reference_density:g} kg/m^3; give them the same, or take "
+                    "CorrectedFluid"
+                )
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         H, dx, h = model.support, model.spacing, 0.5 * model.support

@@ -1,18 +1,20 @@
 """Classic delta-SPH: what it keeps exactly, the speed of its sound, and its errors at walls and at rest."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.faces import way_to_box
-from warpsph.core.labels import Role
+from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import fluid_material, solid_material
 from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.periodic import PeriodicBox
 from warpsph.errors import InputError
 from warpsph.run.simulation import Simulation
-from warpsph.terms import DeltaFluid
+from warpsph.terms import Conduction, DeltaFluid, Elasticity, PhaseChange
 
 SOUND = 10.0
 
@@ -136,3 +138,28 @@ def test_a_wall_whose_face_is_unknown_is_refused():
     particles.add(lattice((0.0, -0.15), (1.0, 0.0), 0.05), Role.DUMMY, "wall")
     with pytest.raises(InputError, match="to_surface"):
         Simulation(Executor("cpu"), flow(lengths=(1.0, 0.0)), particles)
+
+
+@pytest.mark.parametrize("terms", [(Elasticity(1e5, 0.3),), (Conduction(), PhaseChange())], ids=["elastic", "freezes"])
+def test_solids_are_refused(terms):
+    """They would fall through fluid and walls, which bear on none of them."""
+    model = flow(lengths=(1.0, 1.0))
+    particles = Particles()
+    particles.add(lattice((0.0, 0.0), (1.0, 1.0), 0.05), Role.FREE, "fluid")
+    with pytest.raises(InputError, match=f"DeltaFluid and {type(terms[-1]).__name__} exclude each other"):
+        Simulation(Executor("cpu"), replace(model, terms=(*model.terms, *terms)), particles)
+    solid = Particles()
+    solid.add(lattice((0.0, 0.0), (1.0, 1.0), 0.05), Role.FREE, "fluid", phase=Phase.SOLID)
+    with pytest.raises(InputError, match="no solids but walls"):
+        Simulation(Executor("cpu"), model, solid)
+
+
+@pytest.mark.parametrize("densities", [(2.0,), (1.0, 2.0)])
+def test_another_density_is_refused(densities):
+    """Its particles would weigh as much as those of the reference density, whatever their material says."""
+    fluids = tuple(fluid_material(name, rho) for name, rho in zip("ab", densities, strict=False))
+    particles = Particles()
+    for height, fluid in enumerate(fluids):
+        particles.add(lattice((0.0, 1.0 * height), (1.0, 1.0 + height), 0.1), Role.FREE, fluid.name)
+    with pytest.raises(InputError, match=r"of 2 kg/m\^3 flows"):
+        Simulation(Executor("cpu"), Model(2, 0.1, fluids, (DeltaFluid(1.0, SOUND),)), particles)
