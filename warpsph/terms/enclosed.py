@@ -33,10 +33,14 @@ class Enclosed(Term):
     compression_parts = Value(wp.float64, "", "partial sums of the compression", start=np.zeros(PARTS), scratch=True)
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
-        flow = model.the(CorrectedFluid)
+        flow = model.find(CorrectedFluid)
+        if flow is None:
+            raise InputError("Enclosed: it keeps the compression of CorrectedFluid; drop it, or take that flow")
         if flow.free_surface:
             raise InputError("Enclosed: the flow has a free surface and does not fill its box; drop one of the two")
         fluid = np.isin(state.numpy("role"), FLUID_ROLES)
+        if not np.any(fluid):
+            raise InputError("Enclosed: there is no fluid whose compression could be kept; add particles of it")
         return {
             "fluid_count": int(fluid.sum()),
             "mean_at_start": float(state.numpy("compression")[fluid].astype(float).mean()),

@@ -11,7 +11,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.errors import InputError
 from warpsph.run.simulation import Simulation
-from warpsph.terms import CorrectedFluid, Enclosed
+from warpsph.terms import CorrectedFluid, DeltaFluid, Enclosed
 
 DX = 0.1
 
@@ -65,3 +65,21 @@ def test_a_free_surface_is_refused():
     """A fluid with a free surface may spread; a mean kept by force would lift or sink its surface."""
     with pytest.raises(InputError, match="free surface"):
         stirred("cpu", 0.0, Enclosed(), free_surface=True)
+
+
+def test_another_flow_is_refused():
+    """The advice to add the corrected flow to another one, which excludes it, would lead nowhere."""
+    particles = Particles()
+    particles.add(lattice((0.0, 0.0), (1.0, 1.0), DX), Role.FREE, "fluid")
+    model = Model(2, DX, (fluid_material("fluid", 1.0),), (DeltaFluid(1.0, 10.0), Enclosed()))
+    with pytest.raises(InputError, match="drop it, or take that flow"):
+        Simulation(Executor("cpu"), model, particles)
+
+
+def test_walls_without_fluid_are_refused():
+    """The mean over no particles is no number."""
+    particles = Particles()
+    particles.add(lattice((0.0, 0.0), (1.0, DX), DX), Role.DUMMY, "fluid", to_surface=(0.0, 0.5 * DX, 0.0))
+    model = Model(2, DX, (fluid_material("fluid", 1.0),), (CorrectedFluid(1.0, 10.0), Enclosed()))
+    with pytest.raises(InputError, match="there is no fluid"):
+        Simulation(Executor("cpu"), model, particles)
