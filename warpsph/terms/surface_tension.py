@@ -2,14 +2,20 @@
 
 from dataclasses import dataclass
 
+import numpy as np
 import warp as wp
 
 from warpsph.core.field import Field
+from warpsph.core.labels import Phase
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
+from warpsph.core.particles import Particles
 from warpsph.core.state import State
+from warpsph.errors import InputError
+from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.surface_tension import SurfaceConstants, add_surface_tension, find_surface_normal
+from warpsph.terms.fluid import SAME_DENSITY
 from warpsph.terms.tension import Tension
 from warpsph.terms.weakly_compressible import WeaklyCompressible
 
@@ -24,6 +30,18 @@ class SurfaceTension(Tension):
     provides = ("surface tension",)
 
     surface_normal = Field(wp.vec3, "1/m", "gradient of the colour field at the surface", kept=False)
+
+    def start(self, model: Model, particles: Particles, fields: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
+        liquid = np.isin(fields["role"], FLUID_ROLES) & particles.flows & (fields["phase"] != Phase.SOLID)
+        reference = model.the(WeaklyCompressible).reference_density
+        for index in np.unique(fields["material"][liquid]):
+            material = model.materials[index]
+            if abs(material.density / reference - 1.0) > SAME_DENSITY:
+                raise InputError(
+                    f"SurfaceTension: {material.name} of {material.density:g} kg/m^3 flows, but its force knows one "
+                    f"density, {reference:g} kg/m^3; give all fluids the same, or take ColourFieldTension"
+                )
+        return {}
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"surface": self._constants(model)}

@@ -10,12 +10,15 @@ from warpsph.core.labels import Phase, Role
 from warpsph.core.launch import Launch
 from warpsph.core.materials import fluid_material
 from warpsph.core.model import Model
+from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.errors import InputError
 from warpsph.kernels.flow.colour_field_tension import add_colour_field_tension
 from warpsph.kernels.flow.surface_tension import add_surface_tension, find_surface_normal
 from warpsph.kernels.neighbours.pairs import NeighbourList
-from warpsph.terms import ColourFieldTension, Fluid, SurfaceTension
+from warpsph.run.simulation import Simulation
+from warpsph.terms import ColourFieldTension, CorrectedFluid, Fluid, SurfaceTension
 
 SPACING = 0.01
 TENSION = 1.7
@@ -181,3 +184,15 @@ def test_published_form_sees_no_surface_at_a_wall(device):
     a = published_acceleration_of(x, 2, device, role=np.where(wall, 1, 0))
     assert np.all(a[beside_wall] == 0.0)
     assert np.all(a[wall] == 0.0)
+
+
+def test_another_density_is_refused():
+    """The force on a light fluid would be less than that on a heavy one, and together they would begin to travel."""
+    fluids = (fluid_material("heavy", 1000.0), fluid_material("light", 100.0))
+    particles = Particles()
+    for height, fluid in enumerate(fluids):
+        particles.add(np.array([[0.05, 0.1 * height, 0.0], [0.15, 0.1 * height, 0.0]]), Role.FREE, fluid.name)
+    flow = CorrectedFluid(1000.0, 20.0, free_surface=True)
+    with pytest.raises(InputError, match=r"light of 100 kg/m\^3 flows"):
+        Simulation(Executor("cpu"), Model(2, 0.1, fluids, (flow, SurfaceTension(1.0))), particles)
+    Simulation(Executor("cpu"), Model(2, 0.1, fluids, (flow, ColourFieldTension(1.0))), particles)
