@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable
 
 import numpy as np
+from pydantic import model_validator
 
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
@@ -42,6 +43,15 @@ class DamImpact(Scenario):
     viscosity: float = parameter(0.0, "Pa s", "dynamic viscosity of the water; walls let it slip", ge=0.0, le=100.0)
     sound_ratio: float = parameter(10.0, "", "speed of sound over sqrt(2 g H)", ge=5.0, le=100.0)
     sensor: float = parameter(4.2e-3, "m", "diameter over which a sensor averages", gt=0.0, le=0.1)
+
+    @model_validator(mode="after")
+    def _refuse_what_fits_not(self) -> "DamImpact":
+        if not 1 <= round(self.width / self.spacing) <= round(self.length / self.spacing):
+            raise ValueError(
+                f"width = {self.width:g} m: must be at least a spacing of {self.spacing:g} m, and at most the length of "
+                f"the tank, {self.length:g} m"
+            )
+        return self
 
     @property
     def spacing(self) -> float:

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from warpsph.cases.case import Layer, resolve
+from warpsph.errors import InputError
 from warpsph.scenarios.flow.dam_impact import DamImpact, arrival
 from warpsph.scenarios.flow.lobovsky import GAUGES, SENSORS, published_level, published_pressure
 
@@ -35,3 +37,10 @@ def test_wave_arrives_in_time_and_nothing_escapes(device):
     levels = [check for check in scenario.checks(result) if "level" in check.quantity]
     assert len(levels) == 4
     assert all(check.passed for check in levels)
+
+
+@pytest.mark.parametrize("given", [{"width": 0.6, "length": 0.3}, {"width": 0.01, "height": 10.0}], ids=str)
+def test_a_column_that_does_not_fit_is_refused(given):
+    """Water beyond the end wall would stand in it, and fly apart at the first step."""
+    with pytest.raises(InputError, match=r"width = .* m: must be at least a spacing"):
+        resolve(DamImpact, [Layer("--set", given)])
