@@ -48,8 +48,8 @@ class DamImpact(Scenario):
     def _refuse_what_fits_not(self) -> "DamImpact":
         if not 1 <= round(self.width / self.spacing) <= round(self.length / self.spacing):
             raise ValueError(
-                f"width = {self.width:g} m: must be at least a spacing of {self.spacing:g} m, and at most the length of "
-                f"the tank, {self.length:g} m"
+                f"width = {self.width:g} m: must be at least a spacing of {self.spacing:g} m, and at most the "
+                f"length of the tank, {self.length:g} m"
             )
         return self
 
