@@ -16,10 +16,11 @@ from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics import smoothing
 from warpsph.kernels.basics.host import on_host
 from warpsph.kernels.basics.roles import FLUID_ROLES
-from warpsph.kernels.flow.corrected.forces import add_flow_forces, press_on_solids
+from warpsph.kernels.flow.corrected.forces import add_flow_forces
 from warpsph.kernels.flow.corrected.gradients import compress, find_gradients
 from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
 from warpsph.kernels.flow.corrected.shifting import shift_half
+from warpsph.kernels.flow.corrected.solids import press_on_solids
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
 from warpsph.kernels.solid.prestress import keep_flow_pressure
 from warpsph.terms.fluid import Fluid

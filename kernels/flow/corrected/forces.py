@@ -3,11 +3,11 @@
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
+from warpsph.kernels.flow.corrected.faces import STOP_RANGE, stop_at_faces
 from warpsph.kernels.flow.corrected.scheme import (
     FLUID,
     INTERIOR,
     NOTHING,
-    SOLID,
     SPRAY_BELOW,
     SURFACE,
     WALL,
@@ -26,54 +26,7 @@ LARGEST_SHIFT = wp.constant(0.25)  # over the highest shifting speed
 VELOCITY_SPREAD = wp.constant(4.0)  # supports' halves over which a gradient makes the speed of shifting
 GUARD = wp.constant(0.1)  # of the particles of a wall on a fluid particle that comes close [c^2 / dx]
 GUARD_RANGE = wp.constant(0.75)  # [dx]
-PUSH = wp.constant(0.5)  # of a wall on a solid that comes close to its face [c^2 / dx]
-STANDING = wp.constant(0.5)  # how close to the face a solid stands [dx]
 LEAST_MEAN = wp.constant(1.0e-6)  # of a moment matrix; that of a particle without neighbours is 0
-STOP_RANGE = wp.constant(1.0)  # within which nothing may come closer to the face in a step than by half [dx]
-
-
-@wp.func
-def stand_on_wall(flow: FlowConstants, d: wp.vec3, to_surface: wp.vec3, sound_speed: float) -> wp.vec3:
-    """Acceleration [m/s^2] of a solid at the way ``d`` [m] from a wall particle, away from the wall's face."""
-    depth = wp.length(to_surface)
-    normal = to_surface / depth
-    height = (wp.dot(d, normal) - depth) / flow.spacing
-    held = float(0.0)
-    if height > -1.0 and height < STANDING:
-        held = PUSH * sound_speed * sound_speed * (1.0 - height / STANDING)
-    return normal * (held / flow.spacing)
-
-
-@wp.func
-def stop_at_faces(
-    flow: FlowConstants,
-    dt: float,
-    i: int,
-    motion: wp.vec3,
-    neighbours: NeighbourList,
-    position: wp.array[wp.vec3],
-    velocity: wp.array[wp.vec3],
-    to_surface: wp.array[wp.vec3],
-    part: wp.array[int],
-):
-    """The acceleration [m/s^2] which a particle that moves by ``motion`` [m/s] in the coming step needs to halve its
-    distance to the face of a wall at most, or, behind it, to come back by half. Only the face right before it counts:
-    at an edge that stands out into the fluid it is behind the other one.
-    """
-    stopped = motion
-    for k in range(neighbours.count[i]):
-        j = index_of(entry_of(neighbours, i, k))
-        if part[j] == WALL:
-            d = difference(neighbours, position[i], position[j])
-            if wp.dot(d, d) < flow.support * flow.support:
-                depth = wp.length(to_surface[j])
-                normal = to_surface[j] / depth
-                across = wp.dot(d, normal)
-                height = across - depth
-                if height < STOP_RANGE * flow.spacing and wp.length(d - across * normal) < flow.beside:
-                    excess = -0.5 * height / dt - wp.dot(stopped - velocity[j], normal)
-                    stopped += normal * wp.max(excess, 0.0)
-    return (stopped - motion) / dt
 
 
 @wp.kernel
@@ -213,54 +166,3 @@ def add_flow_forces(
         acceleration[i] = change
         shift_velocity[i] = shift
         is_near[i] = near
-
-
-@wp.kernel
-def press_on_solids(
-    first: int,
-    flow: FlowConstants,
-    neighbours: NeighbourList,
-    position: wp.array[wp.vec3],
-    velocity: wp.array[wp.vec3],
-    to_surface: wp.array[wp.vec3],
-    pressure: wp.array[float],
-    viscosity: wp.array[float],
-    mass: wp.array[float],
-    role: wp.array[int],
-    part: wp.array[int],
-    shift_velocity: wp.array[wp.vec3],
-    acceleration: wp.array[wp.vec3],
-):
-    """Add to the acceleration (n,) [m/s^2] of solid particles what the fluid and the walls do to them.
-
-    Each pair of a solid and a fluid particle by the sum of their pressures, so that a face bears just the pressure that
-    the fluid has there. Viscosity damps bonds along their line only, for all of it would brake the turning of a solid.
-    """
-    i = wp.tid() + first
-    if role[i] == Role.FREE and part[i] == SOLID:
-        x_i = position[i]
-        u_i = velocity[i]
-        c = wp.sqrt(flow.bulk_modulus * flow.volume / mass[i])
-        bond_damping = float(flow.dimension) + 2.0  # so that viscosity along bonds alone damps shear as all of it would
-        force = wp.vec3()
-        held = wp.vec3()
-        for k in range(neighbours.count[i]):
-            entry = entry_of(neighbours, i, k)
-            j = index_of(entry)
-            what = part[j]
-            if part[j] == FLUID or part[j] == WALL or entry < 0:
-                d = difference(neighbours, x_i, position[j])
-                r_squared = wp.dot(d, d)
-                if r_squared < flow.support * flow.support:
-                    F, V_W = slope_and_weight(flow, r_squared)
-                    u_ij = u_i - velocity[j]
-                    mu_j = viscosity[j]
-                    if what == WALL:
-                        held += stand_on_wall(flow, d, to_surface[j], c) * V_W
-                    elif what == FLUID:
-                        force -= d * (F * (pressure[i] + pressure[j]))
-                    if entry < 0:
-                        u_ij = d * (bond_damping * wp.dot(d, u_ij) / (r_squared + 1.0e-20))
-                    force += u_ij * (2.0 * mu_j * F)
-        acceleration[i] += force * (flow.volume / mass[i]) + held
-        shift_velocity[i] = wp.vec3()
