@@ -16,8 +16,8 @@ from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics import smoothing
 from warpsph.kernels.basics.host import on_host
 from warpsph.kernels.basics.roles import FLUID_ROLES
-from warpsph.kernels.flow.corrected.forces import add_flow_forces
-from warpsph.kernels.flow.corrected.gradients import compress, find_gradients
+from warpsph.kernels.flow.corrected.forces import ADD_FLOW_FORCES
+from warpsph.kernels.flow.corrected.gradients import FIND_GRADIENTS, compress
 from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
 from warpsph.kernels.flow.corrected.shifting import shift_half
 from warpsph.kernels.flow.corrected.solids import press_on_solids
@@ -163,7 +163,7 @@ class CorrectedFluid(WeaklyCompressible):
     def find_density(self, launch: Launch) -> None:
         launch(tell_parts)
         launch.meet()
-        launch(find_gradients)
+        launch(FIND_GRADIENTS[launch.find("flow").dimension])
         launch.meet()
 
     def arrive(self, launch: Launch) -> None:
@@ -174,7 +174,7 @@ class CorrectedFluid(WeaklyCompressible):
         launch(continue_into_walls)
 
     def sum_forces(self, launch: Launch) -> None:
-        launch(add_flow_forces)
+        launch(ADD_FLOW_FORCES[launch.find("flow").dimension])
         launch(press_on_solids)
 
     def keep_pressure(self, launch: Launch) -> None:
