@@ -91,7 +91,8 @@ class Simulation:
             raise InputError(f"lower, upper = {lower}, {upper}: must be two corners of a box [m], the lower one first")
         self.state = state = initial_state(model, particles, executor.device)
         if speed_limit is None:
-            speed_limit = min(FASTEST, *(term.speed_limit(model) for term in model.terms))
+            known = min((term.speed_limit(model) for term in model.terms), default=np.inf)
+            speed_limit = known if np.isfinite(known) else FASTEST
         if not number(speed_limit) > 0.0:
             raise InputError(f"speed_limit = {speed_limit!r}: must be positive [m/s]")
         self.solver = Solver(executor, model, state, lower, upper, speed_limit, small_steps=self.plan.small_steps)

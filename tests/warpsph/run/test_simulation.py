@@ -48,6 +48,16 @@ def test_frames_and_diagnostics_come_when_asked(tmp_path):
     assert len(points) == len(result.positions) - 3
 
 
+def test_the_speed_limit_is_that_of_the_terms():
+    """A flow faster than any that we had in mind would count as diverged while all is well."""
+    particles = Particles()
+    particles.add(lattice((0.0, 0.0), (0.2, 0.2), DX), Role.FREE, velocity=(2.0e6, 0.0, 0.0))
+    model = Model(2, DX, (fluid_material("plasma", 1000.0),), (Fluid(1000.0, 2.0e7), SummedDensity()))
+    simulation = Simulation(Executor("cpu", 1), model, particles, lower=(0.0, 0.0, 0.0), upper=(1.0, 1.0, 0.0))
+    simulation.run(1e-9, 1e-9)
+    assert simulation.solver.speed_limit == pytest.approx(1.0e8)
+
+
 def test_divergence_names_the_particle_and_keeps_the_file(tmp_path):
     """A run that blows up without a word teaches nothing."""
     path = tmp_path / "run.vtkhdf"
