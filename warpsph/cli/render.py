@@ -27,7 +27,7 @@ def render(
     cut: Annotated[str | None, Parameter(metavar="AXIS=METRES")] = None,
     arrows: Annotated[bool, Parameter(negative=())] = False,
     streamlines: Annotated[bool, Parameter(negative=())] = False,
-    levels: Annotated[str | None, Parameter(metavar="[NAME=]VALUE,...")] = None,
+    levels: Annotated[str | None, Parameter(metavar="[NAME=]VALUE,...", allow_leading_hyphen=True)] = None,
     output: Annotated[Path | None, Parameter(metavar="PICTURE")] = None,
     overwrite: bool = False,
 ) -> None:

@@ -50,6 +50,7 @@ WRONG = [
     (["run", "ingot", "one.toml", "two.toml"], "two.toml"),
     (["render", "absent.vtkhdf"], "absent.vtkhdf"),
     (["render", "absent.vtkhdf", "--movie", "--time", "1"], "--movie"),
+    (["render", "absent.vtkhdf", "--levels", "-1,1"], "absent.vtkhdf"),  # a number, not an option
     (["render", "absent.vtkhdf", "--time", "-1"], "--time"),
     (["render", "absent.vtkhdf", "--output", "picture.xyz"], ".png"),
     (["render", "absent.vtkhdf", "--cut", "w=1"], "--cut 'w=1'"),
