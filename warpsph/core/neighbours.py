@@ -164,8 +164,10 @@ def _grid(lower: np.ndarray, upper: np.ndarray, radius: float, periodic: Periodi
         grid.wraps = wp.vec3i(*(int(axis in axes) for axis in range(3)))
     grid.origin, grid.inverse_size = wp.vec3(*lower), wp.vec3(*(1.0 / size))
     if np.prod(cells) > MOST_CELLS:
+        upper = np.where(periodic.edges > 0.0, lower + periodic.edges, upper) if periodic else upper
+        corners = " to ".join(f"({', '.join(f'{x:.6g}' for x in corner)})" for corner in (lower, upper))
         raise InputError(
-            f"the box from {tuple(lower)} to {tuple(upper)} m has {np.prod(cells):.2g} cells of {radius:.3g} m, "
+            f"the box from {corners} m has {np.prod(cells):.2g} cells of {radius:.3g} m, "
             f"{MOST_CELLS:.2g} at most; give lower and upper around where most particles are"
         )
     grid.nx, grid.ny, grid.nz = (int(m) for m in cells)

@@ -37,8 +37,9 @@ class PeriodicBox:
         lengths = _single([length or 0.0 for length in self.lengths] if three else None)
         require(self, "lower", bool(np.all(np.isfinite(lower))), "three finite numbers [m]")
         positive = bool(np.all(np.isfinite(lengths))) and min(lengths) >= 0.0 and max(lengths) > 0.0
+        lost = three and any(length and not single for length, single in zip(self.lengths, lengths, strict=True))
         allowed = "three numbers [m], positive along periodic axes and 0 along the others"
-        require(self, "lengths", positive, allowed)
+        require(self, "lengths", positive and not lost, allowed)
         object.__setattr__(self, "lower", lower)
         object.__setattr__(self, "lengths", lengths)
 

@@ -127,7 +127,8 @@ def test_a_particle_that_flies_around_is_where_it_should_be(device):
     ("lower", "lengths"),
     [((0, 0), (1, 1, 0)), ((0, 0, 0), (1, 1)), ((0, 0, 0), (0, 0, 0)), ((0, 0, 0), (-1, 0, 0)), ((0, 0, 0), "abc"),
      ((0, 0, 0), (np.nan, 0, 0)), ((np.inf, 0, 0), (1, 0, 0)),
-     ((0, 0, 0), (1e39, 0, 0)), ((0, 0, 0), (1e-50, 0, 0)), ((0, 0, 0), 1.0), ((0, 0, 0), None)],
+     ((0, 0, 0), (1e39, 0, 0)), ((0, 0, 0), (1e-50, 0, 0)), ((0, 0, 0), (1e-50, 1, 0)),
+     ((0, 0, 0), 1.0), ((0, 0, 0), None)],
 )  # fmt: skip
 def test_a_box_that_is_none_is_refused(lower, lengths):
     """A crash much later would say nothing of the box."""
@@ -179,3 +180,9 @@ def test_what_has_one_place_is_refused_where_the_box_is_periodic(axis, terms):
     other = {"x": "y", "y": "x"}[axis]
     if not isinstance(terms[-1], Lamp | Inlet | LevelGauge):
         simulation_of(points("inside", 2) + np.array([1.0, 0.0, 0.0]), box_along(other), 2, terms=terms)
+
+
+def test_a_box_of_too_many_cells_is_shown_as_it_is():
+    """The particles' own corners would hide that it is the period which is too long."""
+    with pytest.raises(InputError, match=r"the box from \(0, .*\) to \(1e\+09, .*\) m has"):
+        simulation_of(points("inside", 2), PeriodicBox((0.0, 0.0, 0.0), (1e9, 0.0, 0.0)), 2)
