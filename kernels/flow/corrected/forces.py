@@ -11,6 +11,7 @@ from warpsph.kernels.flow.corrected.scheme import (
     FLUID,
     INTERIOR,
     NOTHING,
+    SOLID,
     SPRAY_BELOW,
     SURFACE,
     WALL,
@@ -80,6 +81,7 @@ def _add_flow_forces(space: Space) -> Callable[..., None]:
             rubbed = vector()
             damped = vector()
             crowding = vector()
+            to_solids = vector()
             gathered = vector()
             guarded = vector()
             near = int(0)
@@ -118,6 +120,8 @@ def _add_flow_forces(space: Space) -> Callable[..., None]:
                         if wp.dot(d, narrow(to_surface[j])) < depth * (depth + STOP_RANGE * flow.spacing):
                             at_wall = 1
                         u_ij = u_i - narrow(ghost_velocity[j])
+                    elif what == SOLID:
+                        to_solids += V_grad_W
                     elif what == FLUID:
                         if material[j] != material[i]:
                             share = share_of_difference(mass[i], mass[j])
@@ -147,6 +151,9 @@ def _add_flow_forces(space: Space) -> Callable[..., None]:
             shift = gathered * (-flow.shifting * fastest)
             if not inside:
                 shift -= normal * wp.dot(shift, normal)
+            # shifted towards a solid the fluid would have to flow off it, as if its volume came out of the face
+            towards = wp.normalize(to_solids)
+            shift -= towards * wp.max(wp.dot(shift, towards), 0.0)
             if not all_eigenvalues_above(M, SPRAY_BELOW):
                 shift = vector()
             length = wp.length(shift)
