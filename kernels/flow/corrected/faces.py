@@ -8,6 +8,7 @@ from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of
 wp.set_module_options({"enable_backward": False})
 
 STOP_RANGE = wp.constant(1.0)  # within which nothing may come closer to the face in a step than by half [dx]
+BEHIND = wp.constant(2.0)  # how far behind the face it is brought back; walls are three layers thick [dx]
 
 
 @wp.func
@@ -24,7 +25,8 @@ def stop_at_faces(
 ):
     """The acceleration [m/s^2] which a particle that moves by ``motion`` [m/s] in the coming step needs to halve its
     distance to the face of a wall at most, or, behind it, to come back by half. Only the face right before it counts:
-    at an edge that stands out into the fluid it is behind the other one.
+    at an edge that stands out into the fluid it is behind the other one. What is far behind has not passed the face: it
+    is on the other side of the wall.
     """
     stopped = motion
     for k in range(neighbours.count[i]):
@@ -36,7 +38,8 @@ def stop_at_faces(
                 normal = to_surface[j] / depth
                 across = wp.dot(d, normal)
                 height = across - depth
-                if height < STOP_RANGE * flow.spacing and wp.length(d - across * normal) < flow.beside:
+                in_range = height < STOP_RANGE * flow.spacing and height > -BEHIND * flow.spacing
+                if in_range and wp.length(d - across * normal) < flow.beside:
                     excess = -0.5 * height / dt - wp.dot(stopped - velocity[j], normal)
                     stopped += normal * wp.max(excess, 0.0)
     return (stopped - motion) / dt
