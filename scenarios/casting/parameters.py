@@ -79,7 +79,7 @@ class CastingParameters(ConductingScenario):
     spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
 
     formulation: Literal["published", "corrected"] = parameter(
-        "published", "", "flow: summed density as published, or with corrected gradients"
+        "published", "", "flow: summed density as published, or corrected gradients, for comparison"
     )
     support_ratio: float = parameter(2.6, "", "support of the smoothing kernels over the spacing", ge=2.0, le=4.0)
     step_factor: float = parameter(1.0, "", "time step over the stable one; 2 is the most that holds", gt=0, le=2)
