@@ -30,7 +30,7 @@ class Breakout(Casting):
     presets: ClassVar[tuple[str, ...]] = ("coarse", "fine")
     default_preset: ClassVar[str | None] = "coarse"
 
-    mould_conductance: float = parameter(1600.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
+    mould_conductance: float = parameter(1700.0, "W/(m^2 K)", "conductance between steel and mould", gt=0, le=1e5)
     pouring_temperature: float = parameter(2043.15, "K", "temperature of the melt in the nozzle", gt=1000, le=2500)
     melt_conductivity: float = parameter(
         300.0, "W/(m K)", "conductivity of the melt, raised for its turbulence", ge=1, le=1e4
