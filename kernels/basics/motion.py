@@ -44,57 +44,6 @@ def drift(
 
 
 @wp.kernel
-def kick_half(first: int, dt: float, role: wp.array[int], acceleration: wp.array[wp.vec3], velocity: wp.array[wp.vec3]):
-    """Add half of ``acceleration * dt`` to the velocity (n,) [m/s] of free particles."""
-    i = wp.tid() + first
-    if role[i] == Role.FREE:
-        velocity[i] += acceleration[i] * (0.5 * dt)
-
-
-@wp.kernel
-def rest(first: int, fast_acceleration: wp.array[wp.vec3]):
-    """Begin the ``fast_acceleration`` (n,) [m/s^2] of a small step with zero."""
-    fast_acceleration[wp.tid() + first] = wp.vec3()
-
-
-@wp.kernel
-def drift_little(
-    first: int,
-    small_dt: float,
-    role: wp.array[int],
-    fast_acceleration: wp.array[wp.vec3],
-    velocity: wp.array[wp.vec3],
-    position: wp.array[wp.vec3],
-    position_carry: wp.array[wp.vec3],
-):
-    """Half a small kick of free particles by ``fast_acceleration`` (n,) [m/s^2], then ``velocity * small_dt`` added to
-    the position (n,) [m], compensated, of all that is not a wall."""
-    i = wp.tid() + first
-    if role[i] != Role.WALL and role[i] != Role.DUMMY and role[i] != Role.RESERVOIR:
-        u = velocity[i]
-        if role[i] == Role.FREE:
-            u += fast_acceleration[i] * (0.5 * small_dt)
-            velocity[i] = u
-        x, carry = compensated_sum(position[i], u * small_dt, position_carry[i])
-        position[i] = x
-        position_carry[i] = carry
-
-
-@wp.kernel
-def kick_little(
-    first: int,
-    small_dt: float,
-    role: wp.array[int],
-    fast_acceleration: wp.array[wp.vec3],
-    velocity: wp.array[wp.vec3],
-):
-    """The other half of a small kick: half of ``fast_acceleration * small_dt`` to the velocity (n,) [m/s]."""
-    i = wp.tid() + first
-    if role[i] == Role.FREE:
-        velocity[i] += fast_acceleration[i] * (0.5 * small_dt)
-
-
-@wp.kernel
 def watch(
     first: int,
     role: wp.array[int],

@@ -28,7 +28,7 @@ def compose(model: Model, parts: tuple[Term, ...] = ()) -> Model:
                 raise InputError(f"{_name(term)}.{relation} is a text; give a tuple of texts, with a comma at its end")
         terms.append(term)
     for built_in, purpose in ((Verlet(), "second-order motion"), (Dynamics(), "forces"), (Motion(), "motion")):
-        wanted = isinstance(built_in, Motion) or any(purpose in term.needs for term in terms)
+        wanted = purpose == "motion" or any(purpose in term.needs for term in terms)
         if wanted and not any(set(built_in.provides) & set(term.provides) for term in terms):
             terms.insert(0, built_in)
     _refuse_rivals(terms)

@@ -1,6 +1,7 @@
 """What every particle has, the clock, and how positions advance."""
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import warp as wp
 
@@ -18,7 +19,7 @@ from warpsph.kernels.neighbours.wrapping import wrap
 class Motion(Term):
     """Positions follow velocities (n, 3) [m/s], compensated; the clock counts steps and simulated time."""
 
-    provides = ("motion",)
+    provides: ClassVar[tuple[str, ...]] = ("motion",)
 
     id = Field(int, "", "number of the particle", written=True)
     role = Field(int, "", "who moves it", written=True)

@@ -143,10 +143,12 @@ class Solver:
     def _travel(self) -> None:
         """Half the way of the step, where motion is of second order: in small steps, between which fast forces act."""
         for _ in range(self.small_steps):
-            self._together("drift")
-            if self._acts["add_fast_forces"]:
-                self._together("sum_fast_forces")
-                self._together("add_fast_forces", "kick_little")
+            if not self._acts["add_fast_forces"]:
+                self._together("drift")
+                continue
+            self._together("kick_little", "drift")
+            self._together("sum_fast_forces")
+            self._together("add_fast_forces", "kick_little")
 
     def step_with_heat(self) -> None:
         """Advance the flow by one time step, and heat by as many as have passed since the last conduction."""

@@ -12,7 +12,7 @@ from warpsph.core.particles import Particles
 from warpsph.core.state import State
 
 MOMENTS = (
-    "set_out", "drift", "sum_fast_forces", "add_fast_forces", "kick_little",
+    "set_out", "kick_little", "drift", "sum_fast_forces", "add_fast_forces",
     "find_density", "prescribe", "arrive", "find_walls", "sum_forces", "add_forces", "kick", "move", "watch",
     "sum_heat", "add_heat", "after_heat", "find_temperature", "change_phases",
 )  # fmt: skip
@@ -96,7 +96,7 @@ class Term:
         """Add to the fast acceleration what is made of the sums that ``sum_fast_forces`` has found for others."""
 
     def kick_little(self, launch: Launch) -> None:
-        """Advance the velocity by the fast acceleration; single particles only."""
+        """Advance the velocity by the fast acceleration, for half a small step; single particles only."""
 
     def find_density(self, launch: Launch) -> None:
         """Find density, pressure and volume of the fluid. May read other particles' positions, masses and velocities.

@@ -7,17 +7,13 @@ import warp as wp
 from warpsph.core.dynamics import Dynamics
 from warpsph.core.field import Field
 from warpsph.core.launch import Launch
-from warpsph.core.model import Model
 from warpsph.core.motion import Motion
-from warpsph.core.periodic import box_constants
-from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.kernels.basics.motion import advance_clock, drift_little, fall, kick_half, kick_little, rest, watch
-from warpsph.kernels.neighbours.wrapping import wrap
+from warpsph.kernels.basics.motion import advance_clock, drift, fall, kick
 
 
 @dataclass(frozen=True, eq=False)
-class Verlet(Term):
+class Verlet(Motion):
     """Second-order steps in the place of the engine's motion and dynamics: half a kick, two half drifts, half a kick.
 
     Between the drifts other terms find the density of the middle of the step, after them the forces of its end. Fast
@@ -27,40 +23,26 @@ class Verlet(Term):
 
     provides = ("motion", "forces", "second-order motion", "small steps")
 
-    id = Motion.id
-    role = Motion.role
-    material = Motion.material
-    phase = Motion.phase
-    position = Motion.position
-    velocity = Motion.velocity
-    mass = Motion.mass
     acceleration = Dynamics.acceleration
     fast_acceleration = Field(wp.vec3, "m/s^2", "acceleration by fast forces", renewed=True)
 
-    def constants(self, model: Model, state: State) -> dict[str, object]:
-        return box_constants(model.periodic)
-
-    def wrap(self, launch: Launch) -> None:
-        launch(wrap)
+    move = Term.move  # it has moved by then
 
     def set_out(self, launch: Launch) -> None:
-        launch(kick_half)
+        launch(kick, dt=0.5 * launch.find("dt"))
 
     def drift(self, launch: Launch) -> None:
-        launch(drift_little)
+        launch(drift, dt=launch.find("small_dt"))
 
     def sum_fast_forces(self, launch: Launch) -> None:
-        launch(rest)
+        launch(fall, gravity=wp.vec3(), acceleration=launch.find("fast_acceleration"))
 
     def kick_little(self, launch: Launch) -> None:
-        launch(kick_little)
+        launch(kick, dt=0.5 * launch.find("small_dt"), acceleration=launch.find("fast_acceleration"))
 
     def sum_forces(self, launch: Launch) -> None:
         launch(fall)
 
     def kick(self, launch: Launch) -> None:
-        launch(kick_half)
+        launch(kick, dt=0.5 * launch.find("dt"))
         launch.whole(advance_clock)
-
-    def watch(self, launch: Launch) -> None:
-        launch(watch)

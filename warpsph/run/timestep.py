@@ -11,8 +11,6 @@ from warpsph.errors import InputError, number
 Limits = dict[str, float]
 
 MOST_SMALL_STEPS = 4  # on either half of the way, beyond which small steps take longer than what they save
-ROUNDING = 1.0e-9
-
 ROUNDING = 1.0e-9  # relative; what a number of steps times their length may differ from the length of them all
 
 
