@@ -75,8 +75,12 @@ class CastingParameters(ConductingScenario):
     spray_zones: int = parameter(
         3, "", "number of zones between mould and outflow, the first under the mould", ge=1, le=20
     )
-    spray_failure: float | None = parameter(None, "s", "time at which the failing zones go off; none: never", ge=0)
-    spray_failing: tuple[int, ...] = parameter((1, 2, 3), "", "zones that fail, counted from the mould")
+    spray_failure: float | None = parameter(
+        None, "s", "time at which the failing zones go off; none: never", changeable=True, ge=0
+    )
+    spray_failing: tuple[int, ...] = parameter(
+        (1, 2, 3), "", "zones that fail, counted from the mould", changeable=True
+    )
 
     formulation: Literal["published", "corrected"] = parameter(
         "published", "", "flow: summed density as published, or corrected gradients, for comparison"

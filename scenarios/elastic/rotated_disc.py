@@ -55,7 +55,7 @@ class RotatedDisc(Scenario):
             velocity=(self.drift, 0.5 * self.drift, 0.0),
             phase=Phase.SOLID,
         )
-        margin = 2.0 * self.radius + 2.0 * abs(self.drift) * self.duration
+        margin = 4.0 * self.radius
         simulation = Simulation(
             executor, model, particles, lower=(-margin,) * 3, upper=(margin,) * 3, observe=self._observe
         )

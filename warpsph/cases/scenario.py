@@ -2,13 +2,16 @@
 
 from collections.abc import Callable, Iterable
 from importlib.metadata import version
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic.fields import FieldInfo
 
 from warpsph.cases.check import Check
+from warpsph.cases.resuming import refuse_other_case
 from warpsph.errors import InputError
+from warpsph.files.checkpoint import Checkpoint
 from warpsph.nearest import did_you_mean
 
 if TYPE_CHECKING:  # not at run time: Warp takes long to import, and help must appear at once
@@ -19,22 +22,32 @@ if TYPE_CHECKING:  # not at run time: Warp takes long to import, and help must a
 _registry: dict[str, type["Scenario"]] = {}
 
 
-def parameter(default: Any, unit: str, meaning: str, **bounds: Any) -> Any:
+def parameter(default: Any, unit: str, meaning: str, *, changeable: bool = False, **bounds: Any) -> Any:
     """Declare a field of a scenario.
 
     Args:
         default: its value where the case says nothing.
         unit: SI unit, "" where it has none.
         meaning: one phrase for ``warpsph describe``.
+        changeable: whether a run that is resumed may have another value than before.
         bounds: ``gt``, ``ge``, ``lt``, ``le`` as in pydantic.
     """
-    return Field(default, description=meaning, json_schema_extra={"unit": unit}, **bounds)
+    return Field(default, description=meaning, json_schema_extra={"unit": unit, "changeable": changeable}, **bounds)
 
 
 def unit_of(field: FieldInfo) -> str:
     """The unit of a field that was declared by :func:`parameter`."""
+    return str(_declared(field, "unit") or "")
+
+
+def is_changeable(field: FieldInfo) -> bool:
+    """Whether a field was declared by :func:`parameter` as one that may change in a run."""
+    return bool(_declared(field, "changeable"))
+
+
+def _declared(field: FieldInfo, what: str) -> Any:
     extra = field.json_schema_extra
-    return str(extra.get("unit", "")) if isinstance(extra, dict) else ""
+    return extra.get(what) if isinstance(extra, dict) else None
 
 
 class Scenario(BaseModel):
@@ -52,8 +65,10 @@ class Scenario(BaseModel):
     presets: ClassVar[tuple[str, ...]] = ()
     default_preset: ClassVar[str | None] = None
 
-    duration: float = parameter(1.0, "s", "physical time to simulate", gt=0, le=1e6)
-    output_interval: float = parameter(0.1, "s", "physical time between two frames and diagnostics", gt=0, le=1e6)
+    duration: float = parameter(1.0, "s", "physical time to simulate", changeable=True, gt=0, le=1e6)
+    output_interval: float = parameter(
+        0.1, "s", "physical time between two frames and diagnostics", changeable=True, gt=0, le=1e6
+    )
 
     def __init_subclass__(cls, **kwargs: Any) -> None:
         super().__init_subclass__(**kwargs)
@@ -84,12 +99,28 @@ class Scenario(BaseModel):
             "output_interval": self.output_interval,
             "parameters": self.as_dict(),
         }
-        options = own | options
-        return simulation.run(**options)
+        if (begun := options.get("resume")) is not None:
+            options["resume"] = begun = begun if isinstance(begun, Checkpoint) else Checkpoint.read(Path(begun))
+            self.refuse_other_case(begun)
+        return simulation.run(**own | options)
 
     def checks(self, result: "Result") -> list[Check]:
         """Compare one finished run with the sources."""
         return []
+
+    def refuse_other_case(self, checkpoint: Checkpoint) -> None:
+        """Refuse to go on from a checkpoint of another case.
+
+        Raises:
+            InputError: a parameter differs that cannot change in a run.
+        """
+        refuse_other_case(checkpoint, self.name, self.as_dict(), self.changeable())
+
+    @classmethod
+    def changeable(cls) -> set[str]:
+        """Names of the parameters that may have another value when a run is resumed."""
+        bases = [base for base in cls.__mro__ if issubclass(base, Scenario)]
+        return {key for base in bases for key, field in base.model_fields.items() if is_changeable(field)}
 
     @classmethod
     def verify(cls, simulate: "Callable[[Scenario], Result]", slow: bool) -> Iterable[Check]:

@@ -38,8 +38,10 @@ def _parameters(scenario: type[Scenario]) -> Table:
     table.add_column("unit", no_wrap=True)
     for heading in ("default", "bounds", "meaning"):
         table.add_column(heading)
+    changeable = scenario.changeable()
     for key, field in scenario.model_fields.items():
-        cells = (key, unit_of(field), show_value(field.default), _bounds(field), field.description or "")
+        meaning = f"{field.description}{' (may change when a run is resumed)' if key in changeable else ''}"
+        cells = (key, unit_of(field), show_value(field.default), _bounds(field), meaning)
         table.add_row(*(Text(cell) for cell in cells))
     return table
 

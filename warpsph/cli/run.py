@@ -11,12 +11,14 @@ from rich.table import Table
 from rich.text import Text
 
 from warpsph.cases.case import Layer, file_layer, preset_layer, resolve, settings_layer
+from warpsph.cases.resuming import parameters_of
 from warpsph.cases.scenario import Scenario
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
 from warpsph.cli.target import check_free, check_target
 from warpsph.errors import DivergenceError, InputError
+from warpsph.files.checkpoint import Checkpoint, beside, result_of
 from warpsph.run.result import Result
 
 RESULTS = Path("results")
@@ -44,13 +46,16 @@ def run(
     threads: Threads = None,
     output: Annotated[Path | None, Parameter(metavar="FILE.vtkhdf")] = None,
     every: Seconds = None,
+    checkpoint_every: Seconds = None,
+    resume: Annotated[Path | None, Parameter(metavar="FILE.checkpoint")] = None,
     overwrite: bool = False,
     quiet: bool = False,
 ) -> int:
     """Run a scenario and write its frames and diagnostics to one VTKHDF file.
 
     A parameter takes its value from the last of these that names it: the scenario's default, the preset, the case
-    file, `--set`. Ctrl-C stops the run and keeps what has been simulated.
+    file, `--set`. Ctrl-C stops the run and keeps what has been simulated, and a checkpoint beside it from which
+    `--resume` goes on to the same bits.
 
     Parameters
     ----------
@@ -72,19 +77,45 @@ def run(
         The VTKHDF file to write; results/NAME-PRESET.vtkhdf by default (or NAME-CASE, or NAME).
     every
         Physical time between two frames: the parameter `output_interval`.
+    checkpoint_every
+        Physical time between two checkpoints; FILE.checkpoint beside the output is the newest, the one before it is
+        FILE.checkpoint.previous.
+    resume
+        Go on from a checkpoint: its parameters, and its result file, which is continued. Only what may change in a run
+        may be set anew, such as `--until`.
     overwrite
         Replace the output file if it exists.
     quiet
         Show neither progress nor summary.
     """
     kind = find_scenario(name)
-    preset = preset or (None if case else kind.default_preset)
-    scenario = resolve(kind, _layers(kind, preset, case, settings, until, every))
-    path = _target(output or default_path(kind, preset, case), overwrite)
-    result = _simulate(scenario, device, threads, path, overwrite, quiet)
+    begun = Checkpoint.read(resume) if resume else None
+    if begun is None:
+        preset = preset or (None if case else kind.default_preset)
+    layers = _layers(kind, preset, case, settings, until, every)
+    if begun:
+        layers.insert(0, Layer(str(resume), parameters_of(begun, kind.name)))
+    scenario = resolve(kind, layers)
+    if begun and resume:
+        scenario.refuse_other_case(begun)
+        path = _continued(resume, output)
+    else:
+        path = _target(output or default_path(kind, preset, case), overwrite)
+    result = _simulate(scenario, device, threads, path, overwrite, quiet, checkpoint_every, begun)
     if not quiet:
-        _conclude(result, path)
+        _conclude(kind.name, result, path)
     return 130 if result.status == "interrupted" else 0
+
+
+def _continued(checkpoint: Path, output: Path | None) -> Path:
+    """The result file that a resumed run goes on with; one that is named and not there yet begins at the checkpoint."""
+    if output is not None:
+        check_target(output, ".vtkhdf")
+        return output
+    path = result_of(checkpoint)
+    if not path.exists():
+        raise InputError(f"{path}, which this checkpoint goes on with, is not there; give --output for a new file")
+    return path
 
 
 def _layers(
@@ -115,7 +146,16 @@ def _target(path: Path, overwrite: bool) -> Path:
     return path
 
 
-def _simulate(scenario: Scenario, device: str, threads: int | None, path: Path, overwrite: bool, quiet: bool) -> Result:
+def _simulate(
+    scenario: Scenario,
+    device: str,
+    threads: int | None,
+    path: Path,
+    overwrite: bool,
+    quiet: bool,
+    checkpoint_every: float | None,
+    begun: Checkpoint | None,
+) -> Result:
     from warpsph.core.executor import Executor
 
     console = error_console()
@@ -134,6 +174,8 @@ def _simulate(scenario: Scenario, device: str, threads: int | None, path: Path, 
                 overwrite=overwrite,
                 progress=report,
                 parameters=scenario.as_dict(),
+                checkpoint_every=checkpoint_every,
+                resume=begun,
             )
         except DivergenceError as error:
             raise DivergenceError(f"{error}; the frames before it are in {path}") from None
@@ -146,7 +188,7 @@ def _make_results_folder() -> None:
         raise InputError(f"the folder {RESULTS} cannot be made: {error.strerror}; give --output") from None
 
 
-def _conclude(result: Result, path: Path) -> None:
+def _conclude(name: str, result: Result, path: Path) -> None:
     console = output_console()
     table = Table.grid(padding=(0, 2))
     for quantity, value in result.summary.items():
@@ -156,5 +198,6 @@ def _conclude(result: Result, path: Path) -> None:
     console.print(table)
     if result.status == "interrupted":
         console.print(f"interrupted at {result.time:.4g} s; the frames until then are kept")
+        console.print(Text(f"go on:   warpsph run {name} --resume {beside(path)}"), soft_wrap=True)
     console.print(Text(f"written: {path}"), soft_wrap=True)
     console.print(Text(f"next:    warpsph render {path}"), soft_wrap=True)

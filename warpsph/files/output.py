@@ -11,7 +11,9 @@ import numpy as np
 
 from warpsph.core.quantity import Quantity, undeclared
 from warpsph.errors import InputError, WarpsphError
+from warpsph.files.continuation import Counts, cut_back, refuse_other_run
 from warpsph.files.described import attributes_of
+from warpsph.files.results import ResultFile
 from warpsph.files.vtkhdf import STEPS_PER_CHUNK, append_step, commit, create_layout, extendable, put
 
 TIME = Quantity("time", "s")
@@ -69,6 +71,41 @@ class ResultWriter:
         except OSError as error:
             unfinished.unlink(missing_ok=True)
             raise InputError(f"{self.path}: cannot be written: {error.strerror or error}") from None
+
+    @classmethod
+    def continued(cls, path: str | Path, parameters: dict, counts: Counts) -> "ResultWriter":
+        """Go on writing the file of a run that is resumed; what was written after its checkpoint is taken back.
+
+        Args:
+            path: the file.
+            parameters: the resolved case; what may change in a run, such as its duration, may be another than before.
+            counts: what :meth:`counts` gave for the checkpoint.
+
+        Raises:
+            InputError: it is the file of another run, or holds less than the checkpoint.
+        """
+        before = ResultFile(path)
+        refuse_other_run(before, counts)
+        writer = cls.__new__(cls)
+        writer.path, writer._attributes = before.path, {}
+        writer._provenance = before.provenance | {"status": "unfinished"}
+        with writer._writing():
+            writer._file = h5py.File(before.path, "r+", locking=False)
+            cut_back(writer._file, counts)
+            writer._file["warpsph/parameters"][()] = _as_json(parameters)
+            writer._file["warpsph/provenance"][()] = _as_json(writer._provenance)
+            writer._file.flush()
+        return writer
+
+    def counts(self) -> dict[str, str | int]:
+        """How much the file holds, and the name of its run; a checkpoint keeps it."""
+        group = self._file["warpsph"]
+        return {
+            "run": self._provenance.get("run", ""),
+            "frames": int(self._file["VTKHDF/Steps"].attrs["NSteps"]),
+            "diagnostics": int(group["diagnostics"].attrs["Rows"]),
+            "events": int(group["events"].attrs["Rows"]),
+        }
 
     def write_frame(self, time: float, points: np.ndarray, fields: dict[str, np.ndarray]) -> None:
         """Append a frame and flush.

@@ -19,6 +19,7 @@ class Meter:
     def __init__(self, schedule: Schedule, report: Report | None):
         self.schedule, self.report = schedule, report
         self.cycles_at_once = 1
+        self._steps_before = schedule.steps_done
         self.started = self.last = wall_clock.perf_counter()
 
     def update(self, batch: int, note: str) -> None:
@@ -30,6 +31,6 @@ class Meter:
         if self.report is None:
             return
         schedule = self.schedule
-        speed = schedule.steps_done / (now - self.started)
+        speed = (schedule.steps_done - self._steps_before) / (now - self.started)
         left = max(schedule.end - schedule.time, 0.0) / schedule.dt / max(speed, 1e-9)
         self.report(Progress(schedule.time, schedule.end, schedule.steps_done, speed, left, note))

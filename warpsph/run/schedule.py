@@ -34,9 +34,19 @@ class Schedule:
         plan: how long steps are at most, and how many make a cycle.
         begin, duration: time at the start of the run and to go from there [s].
         output_interval: time between two frames [s].
+        checkpoint_interval: time between two checkpoints [s], if there are any.
+        done: whole cycles of this schedule that an earlier run has done.
     """
 
-    def __init__(self, plan: StepPlan, begin: float, duration: float, output_interval: float):
+    def __init__(
+        self,
+        plan: StepPlan,
+        begin: float,
+        duration: float,
+        output_interval: float,
+        checkpoint_interval: float | None = None,
+        done: int = 0,
+    ):
         self.begin, self.duration, self.output_interval = begin, duration, output_interval
         cycle = plan.longest * plan.heat_every
         self._per_frame = max(int(np.ceil(output_interval / cycle - 1e-9)), 1)
@@ -48,8 +58,8 @@ class Schedule:
         if cycles - self._cycles > ROUNDING:
             steps = int(np.ceil(rest / self._whole.dt - ROUNDING))
             self._last = CycleSteps(rest / steps, steps)
-        self._done = 0  # whole cycles, and one more when the last one is done
-        self._next = 0
+        self._per_checkpoint = checkpoint_interval and max(round(checkpoint_interval / self._whole.duration), 1)
+        self._done = self._next = done  # whole cycles, and one more when the last one is done
 
     @property
     def end(self) -> float:
@@ -62,6 +72,11 @@ class Schedule:
         return self._done == self._cycles + (self._last is not None)
 
     @property
+    def whole_cycles(self) -> int:
+        """Cycles of full length that are done."""
+        return min(self._done, self._cycles)
+
+    @property
     def cycle_steps(self) -> CycleSteps:
         """The steps of the cycles of the batch that has been asked for, at first of the first one."""
         return self._whole if self._next < self._cycles or self._last is None else self._last
@@ -69,7 +84,7 @@ class Schedule:
     @property
     def steps_done(self) -> int:
         """Steps of the run so far."""
-        whole = min(self._done, self._cycles)
+        whole = self.whole_cycles
         return whole * self._whole.count + (self._last.count if self._last and self._done > whole else 0)
 
     @property
@@ -88,14 +103,27 @@ class Schedule:
 
     @property
     def at_frame(self) -> bool:
-        """Whether a frame is due now."""
-        return self.done or self._done % self._per_frame == 0
+        """Whether a frame is due now that a longer run has too."""
+        return self._done % self._per_frame == 0 and self.on_whole_cycle
+
+    @property
+    def on_whole_cycle(self) -> bool:
+        """Whether a longer run passes through this moment too: not at the end of a shorter last cycle."""
+        return self._done <= self._cycles
+
+    @property
+    def at_checkpoint(self) -> bool:
+        """Whether a checkpoint is due now; the last one stands where a longer run can go on."""
+        if not self._per_checkpoint or not self.on_whole_cycle:
+            return False
+        return self._done % self._per_checkpoint == 0 or self._done == self._cycles
 
     def next_batch(self, most: int) -> int:
-        """Go on by at most so many cycles, not beyond the next frame; return by how many."""
+        """Go on by at most so many cycles, not beyond the next frame or checkpoint; return by how many."""
         self._next = self._done
-        until_frame = self._per_frame - self._done % self._per_frame
-        batch = min(most, until_frame, self._cycles - self._done) if self._done < self._cycles else 1
+        whole = [most, self._cycles - self._done]
+        whole += [every - self._done % every for every in (self._per_frame, self._per_checkpoint) if every]
+        batch = min(whole) if self._done < self._cycles else 1
         self._done += batch
         return batch
 

@@ -4,6 +4,7 @@ import time as wall_clock
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
+from uuid import uuid4
 
 import numpy as np
 
@@ -18,8 +19,10 @@ from warpsph.core.solver import Solver
 from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, numbers, shown
+from warpsph.files.checkpoint import Checkpoint, beside
 from warpsph.files.output import ResultWriter
 from warpsph.files.provenance import provenance
+from warpsph.run.checkpoints import Checkpoints, continued_schedule, identity, refuse_foreign
 from warpsph.run.divergence import refuse_divergence
 from warpsph.run.events import Events
 from warpsph.run.interrupt import InterruptRequest
@@ -136,6 +139,9 @@ class Simulation:
         overwrite: bool = False,
         progress: Report | None = None,
         parameters: dict | None = None,
+        checkpoint: str | Path | None = None,
+        checkpoint_every: float | None = None,
+        resume: str | Path | Checkpoint | None = None,
     ) -> Result:
         """Simulate for ``duration`` [s] from the present time on.
 
@@ -150,39 +156,45 @@ class Simulation:
             overwrite: whether an existing file may be replaced.
             progress: called a few times a second.
             parameters: the resolved case, stored in the file.
+            checkpoint: where checkpoints go, by default beside ``output``.
+            checkpoint_every: physical time between two checkpoints [s]; without it there is one only where the run is
+                interrupted.
+            resume: a checkpoint of the same case from which to go on; ``duration`` counts from the begin of the run
+                that wrote it, and ``output`` is continued.
 
         Raises:
-            InputError: the file cannot be made.
+            InputError: the file cannot be made, or the checkpoint belongs to something else.
             DivergenceError: the simulation diverged; the frames before are kept.
         """
-        for name, value in (("duration", duration), ("output_interval", output_interval)):
+        for name, value in (
+            ("duration", duration),
+            ("output_interval", output_interval),
+            ("checkpoint_every", 1.0 if checkpoint_every is None else checkpoint_every),
+        ):
             if not 0.0 < number(value) < np.inf:
                 raise InputError(f"{name} = {value!r}: must be positive and finite [s]")
         _refuse_no_functions(progress=progress)
         _refuse_other_kinds(parameters=({} if parameters is None else parameters, dict))
-        writer = self._open(output, overwrite, parameters or {})
-        started = wall_clock.perf_counter()
+        begun = resume if isinstance(resume, Checkpoint | None) else Checkpoint.read(Path(resume))
+        if begun:
+            schedule = continued_schedule(begun, self.plan, duration, output_interval, checkpoint_every)
+            refuse_foreign(begun, self.executor.on_cuda)
+        else:
+            schedule = Schedule(self.plan, self.time, duration, output_interval, checkpoint_every)
         recorder = self.recorder
+        writer = self._open(output, overwrite, parameters or {}, begun)
         recorder.begin(writer)
+        checkpoints = self._checkpoints(checkpoint, checkpoint_every, writer, parameters or {})
+        started = wall_clock.perf_counter() - (begun.facts["wall_time"] if begun else 0.0)
         status = "failed"
         try:
-            schedule = Schedule(self.plan, self.time, duration, output_interval)
             self._begin_with(schedule)
-            recorder.keep()
-            meter = Meter(schedule, progress)
-            with InterruptRequest() as interrupt:
-                stopping = False
-                while not (schedule.done or stopping):
-                    cycles = schedule.next_batch(meter.cycles_at_once)
-                    self.executor.replay(self._recorded(schedule.cycle_steps) * cycles)
-                    refuse_divergence(self.solver, self.plan.limits)
-                    stopping = interrupt.asked
-                    if schedule.at_frame:
-                        self.state.time.fill_(schedule.time)
-                    if schedule.at_frame or stopping:
-                        recorder.keep()
-                    meter.update(cycles, recorder.note)
-            status = (self.events.outcome or "complete") if schedule.done else "interrupted"
+            if begun:
+                self.registry.load(begun.saved)
+            else:
+                recorder.keep()
+            stopped = self._advance(schedule, Meter(schedule, progress), checkpoints, started)
+            status = "interrupted" if stopped else self.events.outcome or "complete"
         except DivergenceError:
             status = "diverged"
             raise
@@ -193,10 +205,35 @@ class Simulation:
                 writer.close()
         return self._result(status, wall_time)
 
-    def _open(self, output: str | Path | None, overwrite: bool, parameters: dict) -> ResultWriter | None:
+    def _advance(self, schedule: Schedule, meter: Meter, checkpoints: Checkpoints | None, started: float) -> bool:
+        """Go on to the end of the schedule, or until somebody asks to stop; return whether that was before the end."""
+        stopping = False
+        with InterruptRequest() as interrupt:
+            while not (schedule.done or stopping):
+                cycles = schedule.next_batch(meter.cycles_at_once)
+                self.executor.replay(self._recorded(schedule.cycle_steps) * cycles)
+                refuse_divergence(self.solver, self.plan.limits)
+                if schedule.at_frame:
+                    self.state.time.fill_(schedule.time)
+                    self.recorder.keep()
+                stopping = interrupt.asked
+                # before a frame that a longer run does not have, because its observers would remember it
+                if checkpoints and (schedule.at_checkpoint or (stopping and schedule.on_whole_cycle)):
+                    checkpoints.write(schedule, wall_clock.perf_counter() - started)
+                if (schedule.done or stopping) and not schedule.at_frame:
+                    self.recorder.keep()
+                meter.update(cycles, self.recorder.note)
+        return not schedule.done
+
+    def _open(
+        self, output: str | Path | None, overwrite: bool, parameters: dict, begun: Checkpoint | None
+    ) -> ResultWriter | None:
         if output is None:
             return None
+        if begun and Path(output).exists():
+            return ResultWriter.continued(output, parameters, begun.facts["result"])
         facts = provenance(self.executor.device_name, self.executor.threads) | {
+            "run": uuid4().hex,
             "spacing": self.model.spacing,
             "dimension": self.model.dimension,
             "materials": [material.name for material in self.model.materials],
@@ -207,6 +244,18 @@ class Simulation:
             facts |= term.facts()
         quantities = {name: field.quantity for name, field in self.state.fields.items() if field.written}
         return ResultWriter(output, parameters, facts, overwrite, quantities)
+
+    def _checkpoints(
+        self, path: str | Path | None, every: float | None, writer: ResultWriter | None, parameters: dict
+    ) -> Checkpoints | None:
+        if path is None and writer is not None:
+            path = beside(writer.path)
+        if path is None:
+            if every is not None:
+                raise InputError("checkpoint_every: say where checkpoints go: give checkpoint, or output")
+            return None
+        facts = identity(self.executor.on_cuda) | {"parameters": parameters}
+        return Checkpoints(Path(path), self.registry, facts, writer)
 
     def _begin_with(self, schedule: Schedule) -> None:
         """Set the time step of a run's cycles, and before the very first step bring the initial state up to date."""

@@ -66,7 +66,7 @@ def test_help_promises_only_what_exists(capsys: pytest.CaptureFixture[str]):
     main(["--help"])
     main(["run", "--help"])
     text = capsys.readouterr().out
-    for absent in ("compare", "bench", "--resume", "--checkpoint-every"):
+    for absent in ("compare", "bench"):
         assert absent not in text
 
 

@@ -14,7 +14,7 @@ WRONG = [
     (["describe", "zzz"], "allowed: ingot"),
     (["verify", "ingott"], "did you mean 'ingot'"),
     (["run", "ingot", "--untill", "1"], "--until"),
-    (["run", "ingot", "--resume", "x"], "--resume"),
+    (["run", "ingot", "--resume", "x"], "x: no such checkpoint"),
     (["run", "ingot", "--until", "abc"], "--until"),
     (["run", "ingot", "--until", "0"], "> 0"),
     (["run", "ingot", "--until", "-1"], "> 0"),

@@ -33,6 +33,7 @@ class FakeSimulation:
         overwrite: bool = False,
         progress: Callable | None = None,
         parameters: dict | None = None,
+        **checkpoints,
     ) -> SimpleNamespace:
         status = "interrupted" if self.ending == "interrupt" else "complete"
         facts = provenance("cpu", 2) | {"spacing": 0.01}

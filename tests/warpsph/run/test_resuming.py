@@ -1,0 +1,137 @@
+"""A run that is resumed from its checkpoint has the bits of one that was never stopped."""
+
+import pickle
+from contextlib import suppress
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from warpsph.core.executor import available_cores
+from warpsph.errors import InputError
+from warpsph.files.checkpoint import Checkpoint, beside, previous
+from warpsph.files.results import ResultFile
+from warpsph.run.result import Result
+from warpsph.scenarios import HeatGaussian
+
+SMALL_HEAT = {"spacing": 0.04, "duration": 2.0, "output_interval": 0.5}
+
+
+def run(case, output: Path, duration: float, device: str = "cpu", threads: int = 1, **options) -> Result:
+    return case.run(device, threads, duration=duration, output=output, **options)
+
+
+def different(one: Path, two: Path) -> list[str]:
+    """What two result files do not have in common, to the bit."""
+    a, b = ResultFile(one), ResultFile(two)
+    found = [] if a.times.tobytes() == b.times.tobytes() else [f"times {a.times} {b.times}"]
+    found += [] if a.events == b.events else ["events"]
+    names = a.diagnostics.keys() | b.diagnostics.keys()
+    found += [name for name in names if a.diagnostics[name].tobytes() != b.diagnostics[name].tobytes()]
+    for k in range(min(len(a.times), len(b.times))):
+        (points, fields), (others, other_fields) = a.frame(k), b.frame(k)
+        found += [] if points.tobytes() == others.tobytes() else [f"positions of frame {k}"]
+        found += [f"{name} of frame {k}" for name in fields if fields[name].tobytes() != other_fields[name].tobytes()]
+    return found
+
+
+def test_a_resumed_run_has_the_bits_of_one_that_was_never_stopped(case, device, tmp_path):
+    """If it failed, a restart would drift, or its file would have a doubled, a missing or a foreign frame."""
+    whole, parts, many = tmp_path / "whole.vtkhdf", tmp_path / "parts.vtkhdf", available_cores()
+    end = run(case, whole, 1.5 * case.duration, device, many)
+    run(case, parts, case.duration, device, checkpoint_every=0.37 * case.duration)
+    long_before = Checkpoint.read(previous(beside(parts)))
+    assert long_before.facts["time"] < case.duration
+    run(case, parts, 1.3 * case.duration, device, many, resume=long_before, checkpoint_every=0.61 * case.duration)
+    again = run(case, parts, 1.5 * case.duration, device, resume=beside(parts))
+    assert different(whole, parts) == []
+    assert (again.time, again.steps, again.events) == (end.time, end.steps, end.events)
+    assert again.positions.tobytes() == end.positions.tobytes()
+    assert [name for name, field in end.fields.items() if again.fields[name].tobytes() != field.tobytes()] == []
+
+
+@pytest.fixture
+def begun(tmp_path) -> Path:
+    """A checkpoint, and the result beside it."""
+    run(HeatGaussian(**SMALL_HEAT), tmp_path / "heat.vtkhdf", 2.0, checkpoint_every=0.5)
+    return beside(tmp_path / "heat.vtkhdf")
+
+
+def resumed(checkpoint: Path, output: Path | None = None, duration: float = 4.0, **changes) -> Result:
+    case = HeatGaussian(**SMALL_HEAT | changes)
+    return case.run("cpu", 1, duration=duration, output=output, resume=checkpoint)
+
+
+def test_a_finished_run_can_be_made_longer(begun, tmp_path):
+    """If it failed, more of a run could be had only by running it anew."""
+    result = resumed(begun, tmp_path / "heat.vtkhdf")
+    run(HeatGaussian(**SMALL_HEAT), tmp_path / "whole.vtkhdf", 4.0)
+    assert different(tmp_path / "heat.vtkhdf", tmp_path / "whole.vtkhdf") == []
+    assert len(result.diagnostics["time"]) == 9
+
+
+def test_frames_beside_the_schedule_are_taken_back(tmp_path):
+    """If it failed, a run that ended between two frames would have one too many when it goes on."""
+    case, parts, whole = HeatGaussian(**SMALL_HEAT), tmp_path / "parts.vtkhdf", tmp_path / "whole.vtkhdf"
+    run(case, parts, 1.7, checkpoint_every=10.0)
+    assert ResultFile(parts).times[-1] == 1.7
+    run(case, parts, 4.0, resume=beside(parts))
+    run(case, whole, 4.0)
+    assert different(parts, whole) == []
+
+
+def test_what_may_change_changes(begun, tmp_path):
+    """If it failed, a run could not be looked at more closely from some time on."""
+    resumed(begun, tmp_path / "heat.vtkhdf", output_interval=0.25)
+    assert np.diff(ResultFile(tmp_path / "heat.vtkhdf").times) == pytest.approx([0.5] * 4 + [0.25] * 8)
+
+
+def test_another_case_is_refused(begun, tmp_path):
+    """If it failed, the rest of a run would be of another case than its begin, without a word."""
+    before = (tmp_path / "heat.vtkhdf").read_bytes()
+    with pytest.raises(InputError, match=r"diffusivity = 0.002: was 0.001 when .* duration, output_interval"):
+        resumed(begun, tmp_path / "heat.vtkhdf", diffusivity=0.002)
+    with pytest.raises(InputError, match="at 2 s already; give a longer"):
+        resumed(begun, tmp_path / "heat.vtkhdf", duration=2.0)
+    assert (tmp_path / "heat.vtkhdf").read_bytes() == before
+
+
+def test_the_result_of_another_run_is_refused(begun, tmp_path):
+    """If it failed, the frames of one run would be continued by those of another."""
+    other = tmp_path / "other.vtkhdf"
+    run(HeatGaussian(**SMALL_HEAT), other, 2.0)
+    before = other.read_bytes()
+    with pytest.raises(InputError, match="not the result of the run of this checkpoint"):
+        resumed(begun, other)
+    assert other.read_bytes() == before
+
+
+def test_a_new_file_begins_at_the_checkpoint(begun, tmp_path):
+    """If it failed, a run whose result was lost or moved away could not go on."""
+    resumed(begun, tmp_path / "rest.vtkhdf")
+    assert ResultFile(tmp_path / "rest.vtkhdf").times == pytest.approx([2.5, 3.0, 3.5, 4.0])
+
+
+@pytest.mark.parametrize("fact", ["warpsph", "warp", "kind of device"])
+def test_a_checkpoint_of_another_version_is_refused(begun, fact):
+    """If it failed, a run would go on with other bits, without a word."""
+    checkpoint = Checkpoint.read(begun)
+    Checkpoint(checkpoint.facts | {fact: "other"}, checkpoint.saved).write(begun)
+    with pytest.raises(InputError, match=f"of {fact} other, this is"):
+        resumed(begun)
+
+
+def test_a_damaged_checkpoint_is_refused_and_the_one_before_works(begun, tmp_path):
+    """If it failed, a run would go on from garbage, or could not go on at all."""
+    whole, right = begun.read_bytes(), pickle.dumps(Checkpoint.read(begun))
+    for place in np.linspace(0, len(whole) - 1, 40).astype(int):
+        begun.write_bytes(whole[:place] + bytes([whole[place] ^ 0x40]) + whole[place + 1 :])
+        with suppress(InputError):  # where it is read, the bit is one of those that nobody looks at
+            assert pickle.dumps(Checkpoint.read(begun)) == right
+    for length in (0, 1, 100, len(whole) // 2, len(whole) - 1):
+        begun.write_bytes(whole[:length])
+        with pytest.raises(InputError, match=r"damaged .*; the one before it is .*heat.checkpoint.previous"):
+            Checkpoint.read(begun)
+    resumed(previous(begun), tmp_path / "heat.vtkhdf")
+    run(HeatGaussian(**SMALL_HEAT), tmp_path / "whole.vtkhdf", 4.0)
+    assert different(tmp_path / "heat.vtkhdf", tmp_path / "whole.vtkhdf") == []

@@ -1,0 +1,91 @@
+"""The checkpoints of a run: what is written to them, and what must be true to go on from one."""
+
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from warpsph.core.registry import Registry
+from warpsph.errors import InputError
+from warpsph.files.checkpoint import Checkpoint
+from warpsph.files.output import ResultWriter
+from warpsph.run.schedule import Schedule
+from warpsph.run.timestep import StepPlan
+
+
+@dataclass(frozen=True)
+class Checkpoints:
+    """Writes the checkpoints of one run.
+
+    Args:
+        path: where the newest one goes.
+        registry: all that changes in the run.
+        facts: what stays the same: of :func:`identity`, and the parameters of the case.
+        writer: the result file, or None.
+    """
+
+    path: Path
+    registry: Registry
+    facts: dict[str, Any]
+    writer: ResultWriter | None
+
+    def write(self, schedule: Schedule, wall_time: float) -> None:
+        """Write what is true now; ``wall_time`` is the run's so far [s].
+
+        Raises:
+            WarpsphError: it cannot be written; the checkpoint before stays.
+        """
+        facts = self.facts | {
+            "written": datetime.now(UTC).isoformat(timespec="seconds"),
+            "wall_time": wall_time,
+            "time": schedule.time,
+            "begin": schedule.begin,
+            "output_interval": schedule.output_interval,
+            "cycles": schedule.whole_cycles,
+            "result": self.writer.counts() if self.writer else {},
+        }
+        Checkpoint(facts, self.registry.save()).write(self.path)
+
+
+def identity(on_cuda: bool) -> dict[str, Any]:
+    """What must be the same for a run to go on with the same bits: versions, and the kind of device."""
+    return {
+        "warpsph": version("warpsph"),
+        "warp": version("warp-lang"),
+        "kind of device": "cuda" if on_cuda else "cpu",
+    }
+
+
+def refuse_foreign(checkpoint: Checkpoint, on_cuda: bool) -> None:
+    """Refuse a checkpoint of another version or of another kind of device.
+
+    Raises:
+        InputError: it says which.
+    """
+    for name, here in identity(on_cuda).items():
+        there = checkpoint.facts[name]
+        if there != here:
+            remedy = (
+                f"give --device {there}" if name == "kind of device" else f"install {name} {there} to go on with it"
+            )
+            raise InputError(f"the checkpoint is of {name} {there}, this is {here}; {remedy}")
+
+
+def continued_schedule(
+    checkpoint: Checkpoint, plan: StepPlan, duration: float, output_interval: float, every: float | None
+) -> Schedule:
+    """The schedule of the run that was checkpointed, at its place in it; one that begins there for another interval.
+
+    Raises:
+        InputError: the checkpoint is at the end of the run already.
+    """
+    facts = checkpoint.facts
+    begin, end = facts["begin"], facts["begin"] + duration
+    if end <= facts["time"]:
+        raise InputError(
+            f"duration = {duration:g}: the checkpoint is at {facts['time']:g} s already; give a longer one (--until)"
+        )
+    if output_interval != facts["output_interval"]:
+        return Schedule(plan, facts["time"], end - facts["time"], output_interval, every)
+    return Schedule(plan, begin, duration, output_interval, every, done=facts["cycles"])
