@@ -221,6 +221,8 @@ class Simulation:
                 if checkpoints and (schedule.at_checkpoint or (stopping and schedule.on_whole_cycle)):
                     checkpoints.write(schedule, wall_clock.perf_counter() - started)
                 if (schedule.done or stopping) and not schedule.at_frame:
+                    if schedule.done:
+                        self.state.time.fill_(schedule.time)
                     self.recorder.keep()
                 meter.update(cycles, self.recorder.note)
         return not schedule.done
