@@ -9,7 +9,7 @@ from warpsph.core.hydrostatics import column_pressure, row_heights
 from warpsph.core.labels import Role
 from warpsph.core.materials import WATER
 from warpsph.core.model import GRAVITY
-from warpsph.core.particles import Particles, lattice
+from warpsph.core.particles import Particles, lattice, parked
 from warpsph.errors import InputError
 from warpsph.machine import Inlet, LevelGauge, Outflow, Rolls, ShellSpeedometer, Spray, SprayZone, SymmetryPlane
 from warpsph.scenarios.casting.nozzle import Nozzle, side_port, straight_tube
@@ -132,7 +132,7 @@ class CastingMachine:
             )
         filling = nozzle.filling(dx)
         particles.add(filling, Role.INFLOW, steel, temperature=case.pouring_temperature, **self._at_rest(filling[:, 1]))
-        reserve = np.tile([[0.0, case.level, 0.0]], (len(points) // 5, 1))
+        reserve = parked((0.0, case.level, 0.0), len(points) // 5)
         particles.add(reserve, Role.RESERVOIR, steel, temperature=case.pouring_temperature)
 
     def _at_rest(self, heights: np.ndarray) -> dict[str, np.ndarray]:
@@ -186,11 +186,10 @@ class CastingMachine:
         flow = case.spray_flux * case.mould_bottom * (2.0 * case.half_width if case.dimension == 3 else 1.0)
         nozzle = case.half_width + SPRAY_DISTANCE
         under_way = SPRAY_DISTANCE / case.spray_speed + LONGEST_RIDE
-        reserve = int(flow / case.spray_particle * under_way) + 10
-        parked = np.tile([[nozzle, 0.0, 0.0]], (reserve, 1))
+        reserve = parked((nozzle, 0.0, 0.0), flow / case.spray_particle * under_way + 10.0)
         volume = case.spray_particle / WATER.density
         self.particles.add(
-            parked, Role.RESERVOIR, WATER.name, temperature=SPRAY_TEMPERATURE, flows=False, volume=volume
+            reserve, Role.RESERVOIR, WATER.name, temperature=SPRAY_TEMPERATURE, flows=False, volume=volume
         )
         return Spray(
             self._spray_zones(flow / case.spray_particle),

@@ -1,6 +1,7 @@
 """Where kernels run: one CUDA graph on a GPU, one graph a thread on a CPU. The only place that decides."""
 
 import os
+import time as wall_clock
 import warnings
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
@@ -170,6 +171,18 @@ class Executor:
                     waiting = []
                     stage()
         self._replay(waiting)
+
+    def seconds(self, recording: Recording, least: float = 0.3) -> float:
+        """Wall time [s] of one replay, measured over ``least`` [s], after one that warms up."""
+        self.replay([(recording, 1)])
+        count, taken, per_replay = 1, 0.0, 0.0
+        while taken < least:
+            started = wall_clock.perf_counter()
+            self.replay([(recording, count)])
+            taken = wall_clock.perf_counter() - started
+            per_replay = taken / count
+            count *= 4
+        return per_replay
 
     def _replay(self, graphs: Sequence[tuple[list[wp.Graph], int]]) -> None:
         jobs = [self._pool.submit(_launch_graphs, graphs, index) for index in range(self.threads)]

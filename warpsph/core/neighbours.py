@@ -5,6 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import warp as wp
 
+from warpsph.core.footprint import row_capacity
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.periodic import PeriodicBox
@@ -24,7 +25,6 @@ from warpsph.kernels.neighbours.reorder import COPY, GATHER
 from warpsph.kernels.neighbours.scan import PARTS, sum_before_parts, sum_parts, sum_within_parts
 
 MOST_CELLS = 2**25
-CIRCLE_OR_SPHERE = {2: np.pi, 3: 4.0 / 3.0 * np.pi}
 
 
 class Neighbours:
@@ -123,8 +123,7 @@ class Neighbours:
     def _hold_arrays(self, on_cuda: bool, model: Model) -> None:
         state, n = self.state, self.state.count
         rows = NeighbourList()
-        per_volume = CIRCLE_OR_SPHERE[model.dimension] * (self.radius / model.spacing) ** model.dimension
-        rows.capacity = int(1.6 * per_volume) + 8
+        rows.capacity = row_capacity(model, self.radius)
         rows.count = wp.zeros(n, dtype=int, device=state.device)
         rows.entry = wp.zeros(n * rows.capacity, dtype=int, device=state.device)
         if model.periodic is not None:

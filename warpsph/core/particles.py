@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from warpsph.core.capacity import refuse_too_many
 from warpsph.core.labels import Phase, Role
 from warpsph.errors import InputError, number, numbers, shown
 
@@ -192,10 +193,22 @@ def lattice(lower: Sequence[float], upper: Sequence[float], spacing: float) -> n
         InputError: the corners are not two of two or three numbers each, or ``spacing`` is not positive.
     """
     _refuse_no_box("lattice", lower, upper, spacing)
-    counts = [max(round((high - low) / spacing), 0) for low, high in zip(lower, upper, strict=True)]
+    edges = [max((high - low) / spacing, 0.0) for low, high in zip(lower, upper, strict=True)]
+    refuse_too_many("lattice", float(np.prod(edges)))
+    counts = [round(edge) for edge in edges]
     axes = [low + (np.arange(n) + 0.5) * spacing for low, n in zip(lower, counts, strict=True)]
     points = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(axes))
     return points if points.shape[1] == 3 else np.column_stack([points, np.zeros(len(points))])
+
+
+def parked(place: Sequence[float], count: float) -> np.ndarray:
+    """Positions (n, 3) [m] of ``count`` particles at one place, where a reservoir waits.
+
+    Raises:
+        InputError: there are more than the memory holds.
+    """
+    refuse_too_many("reservoir", count)
+    return np.tile([np.asarray(place, float)], (int(count), 1))
 
 
 def tank(

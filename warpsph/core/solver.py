@@ -7,6 +7,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.executor import Executor
+from warpsph.core.footprint import SKIN, farthest_reach
 from warpsph.core.labels import Phase
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
@@ -45,7 +46,7 @@ class Solver:
         lower: np.ndarray,
         upper: np.ndarray,
         speed_limit: float,
-        skin: float = 0.4,
+        skin: float = SKIN,
         small_steps: int = 1,
     ):
         self.executor, self.model, self.state, self.speed_limit = executor, model, state, speed_limit
@@ -68,12 +69,11 @@ class Solver:
         shared = ChainMap(self._constants, state.arrays, state.values, state.lists, state.scratch)
         self.launch = Launch(executor, state.count, shared)
         terms: list[Term] = list(model.terms)
-        reach = max(model.support, *(term.reach(model) for term in terms))
         self.neighbours = Neighbours(
             self.launch,
             model,
             state,
-            reach,
+            farthest_reach(model),
             skin * model.spacing,
             lower,
             upper,

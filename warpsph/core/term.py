@@ -56,6 +56,10 @@ class Term:
     def allocate(self, model: Model, state: State) -> None:
         """Make lists that are not one entry a particle, by ``state.hold_list``."""
 
+    def bytes_each(self, model: Model) -> float:
+        """Memory [bytes] a particle of the lists that it allocates."""
+        return 0.0
+
     def constants(self, model: Model, state: State) -> dict[str, Any]:
         """Constants and lists for its kernels, by the names of their arguments; called once, before the first step."""
         return {}

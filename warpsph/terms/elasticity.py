@@ -36,6 +36,8 @@ from warpsph.kernels.solid.strain import ElasticConstants, keep_strain
 from warpsph.terms.phase_change import PhaseChange
 from warpsph.terms.weakly_compressible import WeaklyCompressible
 
+BYTES_PER_BOND = 28  # partner, separation, slope, value, prestress
+
 # In spacings. Where the pressure of the melt is zero particles may freeze almost on top of each other; a stiffness of
 # the hourglass control that grows as the inverse square of such a length would be unstable at any time step.
 SHORTEST_BOND = 0.65
@@ -118,10 +120,16 @@ class Elasticity(Term):
         }
 
     def allocate(self, model: Model, state: State) -> None:
-        lattice = Lattice(model.dimension, model.spacing, self.reach(model) / model.spacing)
-        capacity = int(1.6 * len(lattice.offsets)) + 4
+        capacity = self._bonds_each(model)
         state.hold_list("bonds", _empty_bonds(capacity, state))
         state.hold_list("spare_bonds", _empty_bonds(capacity, state), scratch=True)
+
+    def bytes_each(self, model: Model) -> float:
+        return 2.0 * (BYTES_PER_BOND * self._bonds_each(model) + 4)
+
+    def _bonds_each(self, model: Model) -> int:
+        lattice = Lattice(model.dimension, model.spacing, self.reach(model) / model.spacing)
+        return int(1.6 * len(lattice.offsets)) + 4
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         reach = self.reach(model)
