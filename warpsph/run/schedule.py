@@ -4,9 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from warpsph.run.timestep import StepPlan
+from warpsph.errors import InputError
+from warpsph.run.timestep import StepPlan, listed
 
 ROUNDING = 1.0e-6  # of a cycle
+MOST_STEPS = 1.0e15  # which double precision can count
+SHORTEST_STEP = float(np.finfo(np.float32).tiny)  # [s], in single precision
 
 
 @dataclass(frozen=True)
@@ -36,6 +39,9 @@ class Schedule:
         output_interval: time between two frames [s].
         checkpoint_interval: time between two checkpoints [s], if there are any.
         done: whole cycles of this schedule that an earlier run has done.
+
+    Raises:
+        InputError: a step is too short to be one, or there are none or too many of them.
     """
 
     def __init__(
@@ -49,6 +55,7 @@ class Schedule:
     ):
         self.begin, self.duration, self.output_interval = begin, duration, output_interval
         cycle = plan.longest * plan.heat_every
+        _refuse_no_steps(plan, duration, output_interval)
         self._per_frame = max(int(np.ceil(output_interval / cycle - 1e-9)), 1)
         self._whole = CycleSteps(output_interval / self._per_frame / plan.heat_every, plan.heat_every)
         cycles = duration / self._whole.duration
@@ -56,7 +63,7 @@ class Schedule:
         rest = duration - self._cycles * self._whole.duration
         self._last = None
         if cycles - self._cycles > ROUNDING:
-            steps = int(np.ceil(rest / self._whole.dt - ROUNDING))
+            steps = max(int(np.ceil(rest / self._whole.dt - ROUNDING)), 1)
             self._last = CycleSteps(rest / steps, steps)
         self._per_checkpoint = checkpoint_interval and max(round(checkpoint_interval / self._whole.duration), 1)
         self._done = self._next = done  # whole cycles, and one more when the last one is done
@@ -86,6 +93,17 @@ class Schedule:
         """Steps of the run so far."""
         whole = self.whole_cycles
         return whole * self._whole.count + (self._last.count if self._last and self._done > whole else 0)
+
+    @property
+    def steps(self) -> int:
+        """Steps of the whole run."""
+        return self._cycles * self._whole.count + (self._last.count if self._last else 0)
+
+    @property
+    def frames(self) -> int:
+        """Frames of the whole run, the first and the last among them."""
+        whole, beyond = divmod(self._cycles, self._per_frame)
+        return 1 + whole + (beyond > 0 or self._last is not None)
 
     @property
     def dt(self) -> float:
@@ -126,6 +144,26 @@ class Schedule:
         batch = min(whole) if self._done < self._cycles else 1
         self._done += batch
         return batch
+
+
+def _refuse_no_steps(plan: StepPlan, duration: float, output_interval: float) -> None:
+    step = min(plan.longest, output_interval / plan.heat_every)
+    why = f" ({listed(plan.limits)})" if plan.limits and plan.longest <= step else ""
+    if not step >= SHORTEST_STEP:
+        raise InputError(
+            f"a time step of {step:.3g} s{why} is too short for single precision; output_interval (--every), the "
+            "spacing and what limits the step make it longer"
+        )
+    if not duration > ROUNDING * step:
+        raise InputError(
+            f"duration = {duration:.3g} s (--until): is less than a millionth of a step of {step:.3g} s{why}; "
+            "give a longer one"
+        )
+    if not duration / step < MOST_STEPS:
+        raise InputError(
+            f"duration = {duration:.3g} s (--until): would take {duration / step:.3g} steps of {step:.3g} s{why}; a "
+            "shorter one, or longer steps"
+        )
 
 
 def _without_rounding(time: float) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 
 from warpsph.core.composition import compose
 from warpsph.core.executor import Executor, Recording
+from warpsph.core.footprint import refuse_what_does_not_fit
 from warpsph.core.initial import initial_state
 from warpsph.core.labels import Role
 from warpsph.core.model import Model
@@ -24,6 +25,7 @@ from warpsph.files.output import ResultWriter
 from warpsph.files.provenance import provenance
 from warpsph.run.checkpoints import Checkpoints, continued_schedule, identity, refuse_foreign
 from warpsph.run.divergence import refuse_divergence
+from warpsph.run.estimate import Estimate, estimate_run, refuse_endless, refuse_full_disk
 from warpsph.run.events import Events
 from warpsph.run.interrupt import InterruptRequest
 from warpsph.run.meter import Meter
@@ -92,6 +94,7 @@ class Simulation:
         upper = particles.position.max(axis=0) + margin if upper is None else np.array(numbers(upper, 3))
         if not np.all(np.isfinite([lower, upper])) or np.any(lower > upper):
             raise InputError(f"lower, upper = {lower}, {upper}: must be two corners of a box [m], the lower one first")
+        refuse_what_does_not_fit(model, len(particles), executor.device)
         self.state = state = initial_state(model, particles, executor.device)
         if speed_limit is None:
             known = min((term.speed_limit(model) for term in model.terms), default=np.inf)
@@ -130,6 +133,73 @@ class Simulation:
         """Bring what follows from the initial state up to date; a run does so by itself before its first step."""
         self.solver.prepare()
 
+    def schedule(
+        self,
+        duration: float,
+        output_interval: float,
+        checkpoint_every: float | None = None,
+        resume: Checkpoint | None = None,
+    ) -> Schedule:
+        """The steps, frames and checkpoints of a run, as :meth:`run` makes them.
+
+        Raises:
+            InputError: there are no steps, or too many, or the checkpoint is of something else.
+        """
+        for name, value in (
+            ("duration", duration),
+            ("output_interval", output_interval),
+            ("checkpoint_every", 1.0 if checkpoint_every is None else checkpoint_every),
+        ):
+            if not 0.0 < number(value) < np.inf:
+                raise InputError(f"{name} = {value!r}: must be positive and finite [s]")
+        if resume is None:
+            return Schedule(self.plan, self.time, duration, output_interval, checkpoint_every)
+        refuse_foreign(resume, self.executor.on_cuda)
+        return continued_schedule(resume, self.plan, duration, output_interval, checkpoint_every)
+
+    def estimate(self, schedule: Schedule) -> Estimate:
+        """What a run by this schedule will take."""
+        return estimate_run(self.state, schedule, self.executor.threads)
+
+    def refuse_too_long(self, schedule: Schedule, output: str | Path | None = None) -> None:
+        """Refuse a run that would take months, or more disk than there is; :meth:`run` does so by itself.
+
+        Raises:
+            InputError: how much it would take, and what makes it less.
+        """
+        estimate = self.estimate(schedule)
+        refuse_endless(estimate, self.plan, schedule.output_interval, self.steps)
+        if isinstance(output, str | Path):
+            refuse_full_disk(estimate, Path(output))
+
+    def write_start(self, schedule: Schedule, output: str | Path, parameters: dict) -> None:
+        """Write what there is before the first step as the only frame of a result file.
+
+        Raises:
+            InputError: the file exists, or cannot be made.
+        """
+        writer = self._open(output, False, parameters, None)
+        self.recorder.begin(writer)
+        try:
+            self._begin_with(schedule)
+            self.recorder.keep()
+        finally:
+            if writer is not None:
+                writer.finish(status="not run", wall_time=0.0, steps=self.steps)
+                writer.close()
+            self.recorder.begin(None)
+
+    def measure(self, schedule: Schedule) -> float:
+        """How long [s] a run by this schedule would take, by a few of its steps and one look, which are done."""
+        self._begin_with(schedule)
+        cycle = self._recorded(schedule.cycle_steps)
+        pieces = [self.executor.seconds(recording) * count for recording, count in cycle]
+        steps = schedule.cycle_steps.count
+        started = wall_clock.perf_counter()
+        self.recorder.keep()
+        look = wall_clock.perf_counter() - started
+        return sum(pieces) / steps * schedule.steps + look * schedule.frames
+
     def run(
         self,
         duration: float,
@@ -166,21 +236,11 @@ class Simulation:
             InputError: the file cannot be made, or the checkpoint belongs to something else.
             DivergenceError: the simulation diverged; the frames before are kept.
         """
-        for name, value in (
-            ("duration", duration),
-            ("output_interval", output_interval),
-            ("checkpoint_every", 1.0 if checkpoint_every is None else checkpoint_every),
-        ):
-            if not 0.0 < number(value) < np.inf:
-                raise InputError(f"{name} = {value!r}: must be positive and finite [s]")
+        begun = resume if isinstance(resume, Checkpoint | None) else Checkpoint.read(Path(resume))
+        schedule = self.schedule(duration, output_interval, checkpoint_every, begun)
+        self.refuse_too_long(schedule, output)
         _refuse_no_functions(progress=progress)
         _refuse_other_kinds(parameters=({} if parameters is None else parameters, dict))
-        begun = resume if isinstance(resume, Checkpoint | None) else Checkpoint.read(Path(resume))
-        if begun:
-            schedule = continued_schedule(begun, self.plan, duration, output_interval, checkpoint_every)
-            refuse_foreign(begun, self.executor.on_cuda)
-        else:
-            schedule = Schedule(self.plan, self.time, duration, output_interval, checkpoint_every)
         recorder = self.recorder
         writer = self._open(output, overwrite, parameters or {}, begun)
         recorder.begin(writer)
