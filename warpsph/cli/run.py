@@ -16,6 +16,7 @@ from warpsph.cases.scenario import Scenario
 from warpsph.cli.catalogue import find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
+from warpsph.cli.rehearsal import rehearse
 from warpsph.cli.target import check_free, check_target
 from warpsph.errors import DivergenceError, InputError
 from warpsph.files.checkpoint import Checkpoint, beside, result_of
@@ -50,6 +51,7 @@ def run(
     resume: Annotated[Path | None, Parameter(metavar="FILE.checkpoint")] = None,
     overwrite: bool = False,
     quiet: bool = False,
+    dry_run: Annotated[bool, Parameter(negative=())] = False,
 ) -> int:
     """Run a scenario and write its frames and diagnostics to one VTKHDF file.
 
@@ -87,6 +89,9 @@ def run(
         Replace the output file if it exists.
     quiet
         Show neither progress nor summary.
+    dry_run
+        Do not run: say what the run would take, in particles, memory, steps, time and disk, and draw its start beside
+        the output.
     """
     kind = find_scenario(name)
     begun = Checkpoint.read(resume) if resume else None
@@ -101,6 +106,11 @@ def run(
         path = _continued(resume, output)
     else:
         path = _target(output or default_path(kind, preset, case), overwrite)
+    if dry_run:
+        if begun:
+            raise InputError("--dry-run: a resumed run has no start to show; give one of --dry-run and --resume")
+        rehearse(scenario, device, threads, path, overwrite)
+        return 0
     result = _simulate(scenario, device, threads, path, overwrite, quiet, checkpoint_every, begun)
     if not quiet:
         _conclude(kind.name, result, path)
@@ -163,7 +173,7 @@ def _simulate(
     with nullcontext() if quiet else shown_progress(scenario.name, console) as report:
         simulation = scenario.build(executor)
         if path.parent == RESULTS:
-            _make_results_folder()
+            make_results_folder()
         if not quiet:
             console.print(f"{scenario.name}: computing on {executor.description}", markup=False, soft_wrap=True)
         try:
@@ -181,7 +191,7 @@ def _simulate(
             raise DivergenceError(f"{error}; the frames before it are in {path}") from None
 
 
-def _make_results_folder() -> None:
+def make_results_folder() -> None:
     try:
         RESULTS.mkdir(exist_ok=True)
     except OSError as error:
