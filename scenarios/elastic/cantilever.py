@@ -38,7 +38,7 @@ class Cantilever(Scenario):
     thickness: float = parameter(0.02, "m", "thickness of the plate", ge=0.001, le=1.0)
     layers: int = parameter(10, "", "particles over the thickness", ge=3, le=100)
     density: float = parameter(1000.0, "kg/m^3", "density", ge=1.0, le=2e4)
-    youngs_modulus: float = parameter(2.0e6, "Pa", "Young's modulus", gt=0, le=1e12)
+    youngs_modulus: float = parameter(2.0e6, "Pa", "Young's modulus", ge=1.0, le=1e12)
     poisson_ratio: float = parameter(0.3975, "", "Poisson's ratio", ge=0.0, lt=0.5)
     speed: float = parameter(0.05, "", "speed of the tip at the start over sqrt(K / rho)", gt=0, le=0.2)
 

@@ -35,7 +35,7 @@ class RotatedDisc(Scenario):
     angle: float = parameter(90.0, "degree", "angle by which the disc is turned", ge=-360.0, le=360.0)
     stretch: float = parameter(0.0, "", "strain that the turned disc has at its edge", ge=-0.1, le=0.1)
     drift: float = parameter(0.0, "m/s", "velocity of the whole disc", ge=-5.0, le=5.0)
-    youngs_modulus: float = parameter(4.0e5, "Pa", "Young's modulus", gt=0, le=1e9)
+    youngs_modulus: float = parameter(4.0e5, "Pa", "Young's modulus", ge=1.0, le=1e9)
     poisson_ratio: float = parameter(0.3, "", "Poisson's ratio", ge=0.0, lt=0.5)
     corrected: bool = parameter(True, "", "correct gradients by the moment matrix; false is the published form")
 

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable
 
 import numpy as np
+from pydantic import model_validator
 from scipy.spatial import cKDTree
 
 from warpsph.cases.check import Check
@@ -37,12 +38,20 @@ class RubberRings(Scenario):
     gap: float = parameter(0.005, "m", "gap between the rings at the start", ge=1e-3, le=1.0)
     layers: int = parameter(10, "", "layers of particles over the thickness of a ring", ge=3, le=100)
     density: float = parameter(1000.0, "kg/m^3", "density", ge=1.0, le=2e4)
-    youngs_modulus: float = parameter(2.0e6, "Pa", "Young's modulus", gt=0, le=1e12)
+    youngs_modulus: float = parameter(2.0e6, "Pa", "Young's modulus", ge=1.0, le=1e12)
     poisson_ratio: float = parameter(0.3975, "", "Poisson's ratio", ge=0.0, lt=0.5)
     speed: float = parameter(0.059, "", "speed of each ring over sqrt(K / rho)", gt=0, le=0.1)
 
     support_ratio: float = parameter(1.7, "", "support of the smoothing kernel over the spacing", ge=1.7, le=4.0)
     hourglass: float = parameter(0.1, "", "strength of the hourglass control", ge=0.0, le=10.0)
+
+    @model_validator(mode="after")
+    def _check_radii(self) -> "RubberRings":
+        if not self.inner_radius < self.outer_radius:
+            raise ValueError(
+                f"inner_radius = {self.inner_radius}: must be less than outer_radius {self.outer_radius} m"
+            )
+        return self
 
     @property
     def spacing(self) -> float:
