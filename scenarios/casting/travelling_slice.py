@@ -5,6 +5,11 @@ from collections.abc import Callable
 import numpy as np
 
 from warpsph.core.materials import Material
+from warpsph.errors import InputError
+
+STABLE = 0.4  # step over the square of a cell's edge, times the diffusivity
+MOST_STEPS = 150_000  # some ten seconds
+FEWEST_CELLS = 10
 
 
 def cool_slice(
@@ -23,17 +28,27 @@ def cool_slice(
         temperature: of the melt at age 0 [K].
         ages: (k,) times since the meniscus [s], rising.
         surface_flux: heat flux [W/m^2] out of the surface from its temperature [K] and the age [s].
-        spacing: of the cells [m].
+        spacing: of the cells [m]; they are larger where so small ones would need more than ``MOST_STEPS``.
 
     Returns:
         (k, cells) temperatures [K], the first cell at the axis.
+
+    Raises:
+        InputError: heat passes through the whole slice long before the last age.
     """
-    cells = max(round(width / spacing), 2)
+    capacity = np.min(np.diff(steel.enthalpies) / np.diff(steel.temperatures))
+    diffusivity = max(steel.conductivity_solid, steel.conductivity_liquid) / (steel.density * capacity)
+    finest = float(np.sqrt(np.max(ages) * diffusivity / (STABLE * MOST_STEPS)))
+    if finest > width / FEWEST_CELLS:
+        raise InputError(
+            f"casting_speed: in {np.max(ages):.3g} s on its way through the machine a strand of half_width {width:g} m "
+            f"loses all its heat, by a diffusivity up to {diffusivity:.3g} m^2/s; cast faster, or take a lower "
+            "melt_conductivity or a higher density"
+        )
+    cells = max(round(width / max(spacing, finest)), 2)
     dx = width / cells
     enthalpy = np.full(cells, float(steel.enthalpy(temperature)))
-    capacity = np.min(np.diff(steel.enthalpies) / np.diff(steel.temperatures))
-    fastest = max(steel.conductivity_solid, steel.conductivity_liquid)
-    dt = 0.4 * steel.density * capacity * dx**2 / fastest
+    dt = STABLE * dx**2 / diffusivity
     profiles, age = np.empty((len(ages), cells)), 0.0
     for k, target in enumerate(ages):
         steps = max(int(np.ceil((target - age) / dt)), 1)
