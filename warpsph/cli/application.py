@@ -1,5 +1,6 @@
 """The ``warpsph`` command as a whole: its subcommands, and what becomes of an error or a warning."""
 
+import signal
 import sys
 import warnings
 from collections.abc import Callable, Sequence
@@ -18,15 +19,14 @@ from warpsph.cli.run import run
 from warpsph.cli.verify import verify
 from warpsph.errors import InputError, WarpsphError
 
-INTERRUPTED = 130
-
 application = App(
     name="warpsph",
     help="""Simulate solidification and the continuous casting of steel with particles.
 
     Begin with `warpsph list`, look at a case with `warpsph describe NAME`, run it with `warpsph run NAME`.
 
-    Exit codes: 0 done, 1 a check failed, 2 the input is wrong, 3 the simulation diverged, 130 interrupted.""",
+    Exit codes: 0 done, 1 a check failed or a file could not be written, 2 the input is wrong, 3 the simulation
+    diverged, 128 + the number of the signal (130 for Ctrl-C) interrupted.""",
     help_format="markdown",
     default_parameter=Parameter(negative="", show_default=False),
     suppress_keyboard_interrupt=False,
@@ -59,9 +59,15 @@ def _exit_code(tokens: list[str]) -> int:
     except WarpsphError as error:
         complain(str(error))
         return error.exit_code
-    except KeyboardInterrupt:
+    except BrokenPipeError:
+        return 1
+    except OSError as error:
+        where = f"{error.filename}" if error.filename else "a file or standard output"
+        complain(f"{where}: cannot be read or written: {error.strerror or error}")
+        return WarpsphError.exit_code
+    except KeyboardInterrupt as interruption:
         complain("interrupted")
-        return INTERRUPTED
+        return 128 + getattr(interruption, "number", signal.SIGINT)
 
 
 def _help_command(tokens: Sequence[str]) -> str:

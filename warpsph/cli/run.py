@@ -1,5 +1,6 @@
 """``warpsph run``."""
 
+import shlex
 from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
@@ -56,8 +57,8 @@ def run(
     """Run a scenario and write its frames and diagnostics to one VTKHDF file.
 
     A parameter takes its value from the last of these that names it: the scenario's default, the preset, the case
-    file, `--set`. Ctrl-C stops the run and keeps what has been simulated, and a checkpoint beside it from which
-    `--resume` goes on to the same bits.
+    file, `--set`. Ctrl-C, SIGTERM and SIGHUP stop the run and keep what has been simulated, and a checkpoint beside it
+    from which `--resume` goes on to the same bits.
 
     Parameters
     ----------
@@ -114,7 +115,7 @@ def run(
     result = _simulate(scenario, device, threads, path, overwrite, quiet, checkpoint_every, begun)
     if not quiet:
         _conclude(kind.name, result, path)
-    return 130 if result.status == "interrupted" else 0
+    return 128 + result.stopped_by if result.stopped_by else 0
 
 
 def _continued(checkpoint: Path, output: Path | None) -> Path:
@@ -208,6 +209,8 @@ def _conclude(name: str, result: Result, path: Path) -> None:
     console.print(table)
     if result.status == "interrupted":
         console.print(f"interrupted at {result.time:.4g} s; the frames until then are kept")
-        console.print(Text(f"go on:   warpsph run {name} --resume {beside(path)}"), soft_wrap=True)
+        if result.steps:
+            go_on = shlex.join(["warpsph", "run", name, "--resume", str(beside(path))])
+            console.print(Text(f"go on:   {go_on}"), soft_wrap=True)
     console.print(Text(f"written: {path}"), soft_wrap=True)
-    console.print(Text(f"next:    warpsph render {path}"), soft_wrap=True)
+    console.print(Text(f"next:    {shlex.join(['warpsph', 'render', str(path)])}"), soft_wrap=True)

@@ -13,6 +13,7 @@ from warpsph.cli.catalogue import all_scenarios, find_scenario
 from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError
+from warpsph.run.interrupt import Interrupted
 from warpsph.run.result import Result
 
 
@@ -56,8 +57,8 @@ def verify(
 def _simulate(scenario: Scenario) -> Result:
     with shown_progress(scenario.name, error_console()) as report:
         result = scenario.run(progress=report)
-    if result.status == "interrupted":
-        raise KeyboardInterrupt
+    if result.stopped_by:
+        raise Interrupted(result.stopped_by)
     return result
 
 

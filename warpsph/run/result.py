@@ -21,7 +21,8 @@ class Result(Diagnosed):
     ``positions`` (n, 3) [m] and ``fields`` (n, ...) hold every particle in the order of its id, those in the reservoir
     too; ``quantities`` says what the diagnostics are called and in which unit; ``status`` is "complete",
     "interrupted", or what has become of the run, for example "strand lost"; ``materials`` are their names, by index;
-    ``summary`` pairs a label with a text for people.
+    ``summary`` pairs a label with a text for people; ``stopped_by`` is the number of the signal that has
+    interrupted the run, or 0.
     """
 
     positions: np.ndarray
@@ -35,6 +36,7 @@ class Result(Diagnosed):
     wall_time: float
     materials: tuple[str, ...] = ()
     summary: dict[str, str] = field(default_factory=dict)
+    stopped_by: int = 0
 
     def made_of(self, material: str) -> np.ndarray:
         """Which particles (n,) are made of a material.

@@ -235,6 +235,7 @@ class Simulation:
         Raises:
             InputError: the file cannot be made, or the checkpoint belongs to something else.
             DivergenceError: the simulation diverged; the frames before are kept.
+            WarpsphError: the file cannot be written any more, as on a full disk; the frames before are kept.
         """
         begun = resume if isinstance(resume, Checkpoint | None) else Checkpoint.read(Path(resume))
         schedule = self.schedule(duration, output_interval, checkpoint_every, begun)
@@ -247,45 +248,54 @@ class Simulation:
         checkpoints = self._checkpoints(checkpoint, checkpoint_every, writer, parameters or {})
         started = wall_clock.perf_counter() - (begun.facts["wall_time"] if begun else 0.0)
         status = "failed"
+        interrupt = InterruptRequest()
         try:
-            self._begin_with(schedule)
-            if begun:
-                self.registry.load(begun.saved)
-            else:
-                recorder.keep()
-            stopped = self._advance(schedule, Meter(schedule, progress), checkpoints, started)
-            status = "interrupted" if stopped else self.events.outcome or "complete"
+            with interrupt:
+                self._begin_with(schedule)
+                if begun:
+                    self.registry.load(begun.saved)
+                else:
+                    recorder.keep()
+                self._advance(schedule, interrupt, Meter(schedule, progress), checkpoints, started)
+            status = (self.events.outcome or "complete") if schedule.done else "interrupted"
         except DivergenceError:
             status = "diverged"
             raise
         finally:
             wall_time = wall_clock.perf_counter() - started
             if writer is not None:
-                writer.finish(status=status, wall_time=wall_time, steps=self.steps)
-                writer.close()
-        return self._result(status, wall_time)
+                with InterruptRequest():
+                    writer.finish(status=status, wall_time=wall_time, steps=self.steps)
+                    writer.close()
+            interrupt.send_on()
+        return self._result(status, wall_time, interrupt.number)
 
-    def _advance(self, schedule: Schedule, meter: Meter, checkpoints: Checkpoints | None, started: float) -> bool:
-        """Go on to the end of the schedule, or until somebody asks to stop; return whether that was before the end."""
-        stopping = False
-        with InterruptRequest() as interrupt:
-            while not (schedule.done or stopping):
-                cycles = schedule.next_batch(meter.cycles_at_once)
-                self.executor.replay(self._recorded(schedule.cycle_steps) * cycles)
-                refuse_divergence(self.solver, self.plan.limits)
-                if schedule.at_frame:
+    def _advance(
+        self,
+        schedule: Schedule,
+        interrupt: InterruptRequest,
+        meter: Meter,
+        checkpoints: Checkpoints | None,
+        started: float,
+    ) -> None:
+        """Go on to the end of the schedule, or until somebody asks to stop."""
+        stopping = interrupt.asked
+        while not (schedule.done or stopping):
+            cycles = schedule.next_batch(meter.cycles_at_once)
+            self.executor.replay(self._recorded(schedule.cycle_steps) * cycles)
+            refuse_divergence(self.solver, self.plan.limits)
+            if schedule.at_frame:
+                self.state.time.fill_(schedule.time)
+                self.recorder.keep()
+            stopping = interrupt.asked
+            # before a frame that a longer run does not have, because its observers would remember it
+            if checkpoints and (schedule.at_checkpoint or (stopping and schedule.on_whole_cycle)):
+                checkpoints.write(schedule, wall_clock.perf_counter() - started)
+            if (schedule.done or stopping) and not schedule.at_frame:
+                if schedule.done:
                     self.state.time.fill_(schedule.time)
-                    self.recorder.keep()
-                stopping = interrupt.asked
-                # before a frame that a longer run does not have, because its observers would remember it
-                if checkpoints and (schedule.at_checkpoint or (stopping and schedule.on_whole_cycle)):
-                    checkpoints.write(schedule, wall_clock.perf_counter() - started)
-                if (schedule.done or stopping) and not schedule.at_frame:
-                    if schedule.done:
-                        self.state.time.fill_(schedule.time)
-                    self.recorder.keep()
-                meter.update(cycles, self.recorder.note)
-        return not schedule.done
+                self.recorder.keep()
+            meter.update(cycles, self.recorder.note)
 
     def _open(
         self, output: str | Path | None, overwrite: bool, parameters: dict, begun: Checkpoint | None
@@ -339,7 +349,7 @@ class Simulation:
             self._recordings[steps] = recordings
         return self._recordings[steps]
 
-    def _result(self, status: str, wall_time: float) -> Result:
+    def _result(self, status: str, wall_time: float, stopped_by: int) -> Result:
         fields = self.snapshot()
         recorder = self.recorder
         summary = {
@@ -359,6 +369,7 @@ class Simulation:
             time=self.time,
             steps=self.steps,
             status=status,
+            stopped_by=stopped_by if status == "interrupted" else 0,
             wall_time=wall_time,
             materials=tuple(material.name for material in self.model.materials),
             summary=summary,

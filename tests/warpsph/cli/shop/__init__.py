@@ -35,7 +35,8 @@ class FakeSimulation:
         parameters: dict | None = None,
         **checkpoints,
     ) -> SimpleNamespace:
-        status = "interrupted" if self.ending == "interrupt" else "complete"
+        stopped_by = 2 if self.ending == "interrupt" else 0
+        status = "interrupted" if stopped_by else "complete"
         facts = provenance("cpu", 2) | {"spacing": 0.01}
         with ResultWriter(output, parameters, facts, overwrite, FIELDS) as writer:
             times = np.arange(0.0, duration + 0.5 * output_interval, output_interval)
@@ -50,7 +51,9 @@ class FakeSimulation:
         if self.ending == "diverge":
             raise DivergenceError("particle 7 at (0.1, 0.2, 0) m: speed 1e9 m/s at 0.5 s")
         summary = {"computed on": "cpu, 2 threads, in 0.001 s", "at the end": "level 0.400 m"}
-        return SimpleNamespace(status=status, time=float(times[-1]), summary=summary, events=events)
+        return SimpleNamespace(
+            status=status, stopped_by=stopped_by, time=float(times[-1]), summary=summary, events=events
+        )
 
 
 class Ingot(Scenario):
@@ -81,7 +84,7 @@ class Ingot(Scenario):
     def run(self, device: str = "cpu", threads: int | None = None, **options) -> SimpleNamespace:
         if self.ending == "diverge":
             raise DivergenceError("particle 7 left")
-        return SimpleNamespace(status="interrupted" if self.ending == "interrupt" else "complete", measured=1.02)
+        return SimpleNamespace(stopped_by=2 if self.ending == "interrupt" else 0, measured=1.02)
 
     def checks(self, result) -> list[Check]:
         return [Check("ingot", "front", "m", result.measured, 1.0, 0.05, "Nobody (1)")]
