@@ -5,12 +5,21 @@ from numbers import Real
 from typing import Any
 
 LONGEST_VALUE = 80  # letters
+LONGEST_MESSAGE = 3000  # letters: more than any list of allowed names has
+UNPRINTABLE = "\N{REPLACEMENT CHARACTER}"
 
 
 class WarpsphError(Exception):
-    """Base of the errors that warpsph raises on purpose; its text is one line a user can act on."""
+    """Base of the errors that warpsph raises on purpose; its text is one line a user can act on.
+
+    Whatever of the input is in the text, no control character and no endless value of it reaches a terminal.
+    """
 
     exit_code = 1
+
+    def __init__(self, message: str = "") -> None:
+        lines = "\n".join(printable(line) for line in str(message).split("\n"))
+        super().__init__(middle_cut(lines, LONGEST_MESSAGE))
 
 
 class InputError(WarpsphError):
@@ -31,8 +40,29 @@ def require(owner: object, name: str, holds: bool, allowed: str) -> None:
 
 def shown(value: Any) -> str:
     """A value for a message: in one line, and not a long one."""
-    text = " ".join(repr(value).split())
-    return text if len(text) <= LONGEST_VALUE else f"{text[:LONGEST_VALUE]}..."
+    try:
+        text = " ".join(repr(value).split())
+    except (ValueError, RecursionError):  # an integer of thousands of digits; lists in lists in lists
+        return f"a {type(value).__name__} too long to be shown"
+    return cut(text, LONGEST_VALUE)
+
+
+def printable(text: str) -> str:
+    """A text in one line without what would steer a terminal, turn the writing around, or not be encodable."""
+    if text.isprintable():
+        return text
+    spaced = (" " if letter.isspace() else letter for letter in text)
+    return "".join(letter if letter.isprintable() else UNPRINTABLE for letter in spaced)
+
+
+def cut(text: str, longest: int) -> str:
+    """The beginning of a text, with dots where it goes on."""
+    return text if len(text) <= longest else f"{text[:longest]}..."
+
+
+def middle_cut(text: str, longest: int) -> str:
+    """A text without its middle where it is too long: what is wrong stands at its beginning, the remedy at its end."""
+    return text if len(text) <= longest else f"{text[: longest // 2]} ... {text[-longest // 2 :]}"
 
 
 def number(value: Any) -> float:

@@ -1,16 +1,18 @@
 """What a scenario is: a class whose fields are its parameters, and the registry through which the program finds it."""
 
 from collections.abc import Callable, Iterable
+from enum import Enum
 from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from pydantic.fields import FieldInfo
 
 from warpsph.cases.check import Check
 from warpsph.cases.resuming import refuse_other_case
-from warpsph.errors import InputError
+from warpsph.errors import LONGEST_VALUE, InputError, cut, shown
 from warpsph.files.checkpoint import Checkpoint
 from warpsph.nearest import did_you_mean
 
@@ -32,7 +34,9 @@ def parameter(default: Any, unit: str, meaning: str, *, changeable: bool = False
         changeable: whether a run that is resumed may have another value than before.
         bounds: ``gt``, ``ge``, ``lt``, ``le`` as in pydantic.
     """
-    return Field(default, description=meaning, json_schema_extra={"unit": unit, "changeable": changeable}, **bounds)
+    by_name = False if isinstance(default, Enum) else None  # strict reading would refuse its name
+    extra = {"unit": unit, "changeable": changeable}
+    return Field(default, strict=by_name, description=meaning, json_schema_extra=extra, **bounds)
 
 
 def unit_of(field: FieldInfo) -> str:
@@ -57,7 +61,7 @@ class Scenario(BaseModel):
     section) and ``presets`` (names of the TOML files under ``presets/<name>/`` beside its module).
     """
 
-    model_config = ConfigDict(extra="forbid", frozen=True, allow_inf_nan=False, validate_default=True)
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, validate_default=True)
 
     name: ClassVar[str]
     summary: ClassVar[str]
@@ -76,8 +80,12 @@ class Scenario(BaseModel):
             _registry[cls.name] = cls
 
     def __init__(self, /, **values: Any) -> None:
+        unknown = next((key for key in values if key not in type(self).model_fields), None)
+        if unknown is not None:
+            key = cut(unknown, LONGEST_VALUE)
+            raise InputError(f"{self.name}: unknown parameter '{key}'{did_you_mean(unknown, type(self).model_fields)}")
         try:
-            super().__init__(**values)
+            super().__init__(**{key: _plain(value) for key, value in values.items()})
         except ValidationError as error:
             raise InputError(_one_line(type(self), error)) from None
 
@@ -149,9 +157,13 @@ def _one_line(scenario: type[Scenario], error: ValidationError) -> str:
     key = ".".join(str(part) for part in first["loc"])
     if not key:
         return f"{scenario.name}: {reason}"
-    if first["type"] == "extra_forbidden":
-        return f"{scenario.name}: unknown parameter '{key}'{did_you_mean(key, scenario.model_fields)}"
     field = scenario.model_fields.get(key)
     unit = unit_of(field) if field else ""
-    given = first.get("input")
-    return f"{scenario.name}: {key} = {given!r}: {reason}" + (f" [{unit}]" if unit else "")
+    return f"{scenario.name}: {key} = {shown(first.get('input'))}: {reason}" + (f" [{unit}]" if unit else "")
+
+
+def _plain(value: Any) -> Any:
+    """A value of a case: tuples for the arrays of TOML and of NumPy, Python's numbers for NumPy's."""
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    return tuple(_plain(item) for item in value) if isinstance(value, list | tuple) else value

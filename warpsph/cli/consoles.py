@@ -5,6 +5,8 @@ import sys
 
 from rich.console import Console
 
+from warpsph.errors import LONGEST_MESSAGE, middle_cut, printable
+
 PIPED_WIDTH = 160
 
 
@@ -20,7 +22,7 @@ def error_console() -> Console:
 
 def complain(message: str) -> None:
     """Write an error or a warning as one line."""
-    line = " ".join(message.split())
+    line = middle_cut(printable(" ".join(message.split())), LONGEST_MESSAGE)
     style = "bold red" if error_console().is_terminal else None
     error_console().print("warpsph:", line, style=style, markup=False, highlight=False, emoji=False, soft_wrap=True)
 

@@ -43,6 +43,13 @@ def test_a_case_file_alone_starts_from_the_defaults(warpsph_command, tmp_path: P
     assert parameters["duration"] == 1.0
 
 
+def test_a_case_file_may_begin_with_a_byte_order_mark(warpsph_command, tmp_path: Path):
+    """If it failed, a case file that Windows' editors wrote would be refused for a letter that nobody sees."""
+    (tmp_path / "mine.toml").write_bytes(b"\xef\xbb\xbfspacing = 0.02\n")
+    assert warpsph_command("run", "ingot", "mine.toml").code == 0
+    assert ResultFile("results/ingot-mine.vtkhdf").parameters["spacing"] == 0.02
+
+
 @pytest.mark.parametrize(
     ("setting", "key", "value"),
     [

@@ -1,5 +1,6 @@
 """Every wrong input is one line on standard error, exit code 2, and nothing is written."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -40,6 +41,15 @@ WRONG = [
     (["run", "ingot", "--set", "oscillates=perhaps"], "oscillates = 'perhaps'"),
     (["run", "ingot", "--set", "zones=[1, x]"], "zones"),
     (["run", "ingot", "--set", "a.b=1"], "a.b"),
+    (["run", "ingot", "--set", "duration=true"], "duration = True"),
+    (["run", "ingot", "--set", "count=true"], "count = True"),
+    (["run", "ingot", "--set", 'duration="1"'], "duration = '1'"),
+    (["run", "ingot", "--set", "oscillates=1"], "oscillates = 1"),
+    (["run", "ingot", "--set", "zones=[0.1, true]"], "zones.1 = True"),
+    (["run", "ingot", "--set", "wall=\x1b[31m"], "wall = '\\x1b[31m'"),
+    (["run", "ingot", "--set", "wall=\udc80"], "UTF-8"),
+    (["run", "ingot", "--set", "x" * 10_000 + "=1"], "unknown parameter"),
+    (["run", "ingot", "--set", "wall=" + "x" * 10_000], "'copper' or 'steel'"),
     (["run", "ingot", "--preset", "smal"], "did you mean 'small'"),
     (["run", "crooked", "--preset", "small"], "has no presets"),
     (["run", "ingot", "--preset", "broken"], "preset broken: ingot: count = 1000"),
@@ -76,6 +86,8 @@ def test_wrong_input_is_one_line(warpsph_command, tmp_path: Path, words: list[st
     assert outcome.error.startswith("warpsph: ")
     assert outcome.error.count("\n") == 1
     assert named in outcome.error
+    assert len(outcome.error) < 700
+    assert outcome.error.rstrip("\n").isprintable()
     assert list(tmp_path.iterdir()) == []
 
 
@@ -91,7 +103,16 @@ def test_wrong_input_is_one_line(warpsph_command, tmp_path: Path, words: list[st
         (b"wall = 1979-05-27\n", "wall"),
         (b"spacing = " + b"[" * 5000 + b"]" * 5000, "case.toml"),
         (b"count = " + b"9" * 5000, "case.toml"),
+        (b"duration = true\n", "duration = True"),
+        (b"duration = '1'\n", "duration = '1'"),
+        (b"spacing = '" + b"x" * 10_000 + b"'\n", "valid number"),
+        (b'wall = "\\u001b[31m"\n', "'copper' or 'steel'"),
+        (b"count = 1\0\n", "line 1"),
+        (b"".join(b"k%d = 1\n" % k for k in range(5000)), "unknown parameter 'k0'"),
+        (b"".join(b"k%d = 1\n" % k for k in range(1_000_000)), "larger than 100 kB"),
+        (b"a" + b".a" * 40_000 + b" = 1\n", "more than 500 dots"),
     ],
+    ids=lambda value: f"{value[:20]}",
 )
 def test_wrong_case_file_is_one_line_that_names_the_file(warpsph_command, tmp_path: Path, content: bytes, named: str):
     """If it failed, a slip in a case file would not be found by its file and key."""
@@ -101,7 +122,19 @@ def test_wrong_case_file_is_one_line_that_names_the_file(warpsph_command, tmp_pa
     assert outcome.error.startswith("warpsph: case.toml: ")
     assert outcome.error.count("\n") == 1
     assert named in outcome.error
+    assert len(outcome.error) < 700
+    assert outcome.error.rstrip("\n").isprintable()
     assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
+
+
+def test_pipes_and_devices_are_no_case_files(warpsph_command, tmp_path: Path):
+    """If it failed, a pipe that nobody writes to, or a device without an end, would hang the program."""
+    os.mkfifo(tmp_path / "pipe.toml")
+    for name in ("pipe.toml", "/dev/zero"):
+        outcome = warpsph_command("run", "ingot", name)
+        assert outcome.code == 2
+        assert outcome.error.count("\n") == 1
+        assert "not a regular file" in outcome.error
 
 
 def test_wrong_device_is_one_line_of_the_whole_process(tmp_path: Path):
