@@ -1,6 +1,6 @@
 """The errors that a user can cause or must know of; the command line turns each into its exit code."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from numbers import Real
 from typing import Any
 
@@ -77,6 +77,15 @@ def numbers(values: Any, count: int) -> tuple[float, ...]:
 
 
 class DivergenceError(WarpsphError):
-    """The simulation left the physical range: which particle, where, which quantity, at what time."""
+    """The simulation left the physical range: which particle, where, which quantity, at what time.
+
+    Args:
+        message: that, in one line.
+        facts: what else helps to understand it, a text by a few words; whoever knows more may add to it.
+    """
 
     exit_code = 3
+
+    def __init__(self, message: str, facts: Mapping[str, str] | None = None) -> None:
+        super().__init__(message)
+        self.facts = dict(facts or {})

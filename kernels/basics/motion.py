@@ -1,4 +1,4 @@
-"""Advancing velocity and position, and watching over both."""
+"""Advancing velocity, position and time."""
 
 import warp as wp
 
@@ -41,33 +41,6 @@ def drift(
         x, carry = compensated_sum(position[i], velocity[i] * dt, position_carry[i])
         position[i] = x
         position_carry[i] = carry
-
-
-@wp.kernel
-def watch(
-    first: int,
-    role: wp.array[int],
-    position: wp.array[wp.vec3],
-    velocity: wp.array[wp.vec3],
-    reference: wp.array[wp.vec3],
-    farthest_squared: float,
-    speed_limit_squared: float,
-    outdated: wp.array[int],
-    runaway: wp.array[int],
-):
-    """Raise ``outdated`` where a particle is farther from its ``reference`` position than allowed, and note a runaway.
-
-    ``farthest_squared`` [m^2]; ``runaway`` (1,) becomes 1 + the index of a particle whose place is not a number, or the
-    square of whose speed is not below ``speed_limit_squared`` [m^2/s^2].
-    """
-    i = wp.tid() + first
-    if role[i] != Role.RESERVOIR:
-        d = position[i] - reference[i]
-        if wp.dot(d, d) > farthest_squared:
-            outdated[0] = 1
-        u = velocity[i]
-        if not (wp.dot(u, u) < speed_limit_squared) or not wp.isfinite(wp.dot(d, d)):
-            runaway[0] = i + 1
 
 
 @wp.kernel

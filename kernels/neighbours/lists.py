@@ -18,12 +18,13 @@ def list_neighbours(
     role: wp.array[int],
     radius: float,
     neighbours: NeighbourList,
+    row_length: wp.array[int],
     longest_row: wp.array[int],
 ):
     """Write every pair closer than ``radius`` [m] into the rows of both (pairs of dummies excepted).
 
-    Particles must stand in the order of their cells. A row that would overflow is cut and its full length goes to
-    ``longest_row`` (1,), which the host must look at.
+    Particles must stand in the order of their cells. A row that would overflow is cut; ``row_length`` (n,) has the full
+    lengths, and ``longest_row`` (1,) is not zero where one is cut.
     """
     i = wp.tid() + first
     n = int(0)
@@ -45,6 +46,7 @@ def list_neighbours(
                         n += 1
         if n > neighbours.capacity:
             wp.atomic_max(longest_row, 0, n)
+    row_length[i] = n
     neighbours.count[i] = wp.min(n, neighbours.capacity)
 
 

@@ -96,6 +96,7 @@ def update_bonds(
     deformation: wp.array[wp.mat33],
     bonds: BondList,
     rebonded: wp.array[int],
+    row_length: wp.array[int],
     longest_bond_row: wp.array[int],
 ):
     """Cut the bonds of molten particles and bond those that just ``froze`` to their solid neighbours within ``reach``,
@@ -104,8 +105,8 @@ def update_bonds(
     A particle that freezes later joins a body that has turned: its bonds keep the separation of that moment
     (Vijaykumar 2012, equation 4.6), turned back by the rotation in the ``deformation`` (n,) of both ends to where the
     other bonds count from. ``scale`` normalises the sine kernel, whose support is ``reach`` [m]. ``rebonded`` (n,)
-    marks where bonds have come or gone, and where they are the first ones. A row that would overflow is cut and its
-    full length goes to ``longest_bond_row`` (1,).
+    marks where bonds have come or gone, and where they are the first ones. A row that would overflow is cut;
+    ``row_length`` (n,) has the full lengths, and ``longest_bond_row`` (1,) is not zero where one is cut.
     """
     i = wp.tid() + first
     n = int(0)
@@ -139,6 +140,7 @@ def update_bonds(
         rebonded[i] = NEW
     elif kept != n or kept != bonds.count[i]:
         rebonded[i] = CHANGED
+    row_length[i] = n
     bonds.count[i] = wp.min(n, bonds.capacity)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from cyclopts import App, CycloptsError, Parameter
 
-from warpsph.cli.consoles import complain
+from warpsph.cli.consoles import complain, explain
 from warpsph.cli.describe import describe
 from warpsph.cli.info import info
 from warpsph.cli.list_scenarios import list_scenarios
@@ -17,7 +17,7 @@ from warpsph.cli.plot import plot
 from warpsph.cli.render import render
 from warpsph.cli.run import run
 from warpsph.cli.verify import verify
-from warpsph.errors import InputError, WarpsphError
+from warpsph.errors import DivergenceError, InputError, WarpsphError
 
 application = App(
     name="warpsph",
@@ -58,6 +58,8 @@ def _exit_code(tokens: list[str]) -> int:
         return InputError.exit_code
     except WarpsphError as error:
         complain(str(error))
+        if isinstance(error, DivergenceError):
+            explain(error.facts)
         return error.exit_code
     except BrokenPipeError:
         return 1

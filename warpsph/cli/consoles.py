@@ -2,8 +2,11 @@
 
 import os
 import sys
+from collections.abc import Mapping
 
 from rich.console import Console
+from rich.table import Table
+from rich.text import Text
 
 from warpsph.errors import LONGEST_MESSAGE, middle_cut, printable
 
@@ -25,6 +28,15 @@ def complain(message: str) -> None:
     line = middle_cut(printable(" ".join(message.split())), LONGEST_MESSAGE)
     style = "bold red" if error_console().is_terminal else None
     error_console().print("warpsph:", line, style=style, markup=False, highlight=False, emoji=False, soft_wrap=True)
+
+
+def explain(facts: Mapping[str, str]) -> None:
+    """Write what else is known of an error, a line each, a longer one as wide as the screen."""
+    table = Table.grid(padding=(0, 2))
+    for name, text in facts.items():
+        table.add_row(Text(f"  {name}", style="bold"), Text(" ".join(text.split())))
+    if facts:
+        error_console().print(table)
 
 
 def _console(stderr: bool) -> Console:

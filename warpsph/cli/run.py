@@ -189,7 +189,8 @@ def _simulate(
                 resume=begun,
             )
         except DivergenceError as error:
-            raise DivergenceError(f"{error}; the frames before it are in {path}") from None
+            error.facts.setdefault("last good frame", f"the last one of {path}")
+            raise
 
 
 def make_results_folder() -> None:

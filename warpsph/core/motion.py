@@ -11,7 +11,8 @@ from warpsph.core.model import Model
 from warpsph.core.periodic import box_constants
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.kernels.basics.motion import advance_clock, drift, watch
+from warpsph.kernels.basics.guard import watch
+from warpsph.kernels.basics.motion import advance_clock, drift
 from warpsph.kernels.neighbours.wrapping import wrap
 
 

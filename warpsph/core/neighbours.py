@@ -10,7 +10,7 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.periodic import PeriodicBox
 from warpsph.core.state import State
-from warpsph.errors import DivergenceError, InputError
+from warpsph.errors import InputError
 from warpsph.kernels.neighbours.cells import (
     Grid,
     clear,
@@ -82,14 +82,6 @@ class Neighbours:
         """Sort the particles and list the neighbours anew if ``outdated`` says so."""
         self.launch.when("outdated", self._renew)
 
-    def check(self) -> None:
-        """Look whether a row was too short.
-
-        Raises:
-            DivergenceError: particles have collapsed onto each other.
-        """
-        refuse_overflow(self.state.longest_row, self.state.neighbours.capacity, self.state)
-
     def _renew(self) -> None:
         self._before_sorting()
         self._sort_into_cells()
@@ -137,18 +129,8 @@ class Neighbours:
             state.hold(name, wp.zeros(1, dtype=int, device=state.device))
         state.hold("start", wp.zeros(self._places + 1, dtype=int, device=state.device))
         state.hold("reservoir_start", state.start[self._cells :])
-        for name, size in (("cell", n), ("rank", n), ("order", n), ("place", n), ("parts", PARTS)):
+        for name, size in (("cell", n), ("rank", n), ("order", n), ("place", n), ("row_length", n), ("parts", PARTS)):
             state.hold(name, wp.zeros(size, dtype=int, device=state.device), scratch=True)
-
-
-def refuse_overflow(longest: wp.array, capacity: int, state: State) -> None:
-    """Raise DivergenceError where ``longest`` (1,) says that a row had more entries than its ``capacity``."""
-    if (length := int(longest.numpy()[0])) > 0:
-        raise DivergenceError(
-            f"{length} neighbours around one particle, {capacity} expected at most, before "
-            f"t = {state.time.numpy()[0]:.6g} s: particles have collapsed onto each other; a smaller time step or a "
-            "higher sound speed may help"
-        )
 
 
 def _grid(lower: np.ndarray, upper: np.ndarray, radius: float, periodic: PeriodicBox | None) -> Grid:

@@ -8,6 +8,7 @@ import warp as wp
 
 from warpsph.core.executor import Executor
 from warpsph.core.footprint import SKIN, farthest_reach
+from warpsph.core.guard import Guard, Offender
 from warpsph.core.labels import Phase
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
@@ -52,8 +53,8 @@ class Solver:
         self.executor, self.model, self.state, self.speed_limit = executor, model, state, speed_limit
         self.small_steps = small_steps
         state.hold("time", wp.zeros(1, dtype=wp.float64, device=state.device))
-        for name in ("steps", "runaway"):
-            state.hold(name, wp.zeros(1, dtype=int, device=state.device))
+        state.hold("steps", wp.zeros(1, dtype=int, device=state.device))
+        self.guard = Guard(model, state, speed_limit)
         starts_solid = np.any(state.numpy("phase") == Phase.SOLID)
         state.hold("phase_changed", wp.array([int(starts_solid)], dtype=int, device=state.device))
         self._constants: dict[str, Any] = {
@@ -61,8 +62,7 @@ class Solver:
             "interval": 0.0,
             "small_dt": 0.0,
             "gravity": wp.vec3(*model.gravity),
-            "speed_limit_squared": speed_limit**2,
-        }
+        } | self.guard.constants
         for name in (*self._constants, "farthest_squared"):
             if hasattr(state, name):
                 raise InputError(f"a field cannot be called '{name}': a constant of every kernel has that name")
@@ -77,9 +77,9 @@ class Solver:
             skin * model.spacing,
             lower,
             upper,
-            before_sorting=lambda: self.act("wrap"),
+            before_sorting=self._before_sorting,
             on_sorted=lambda: self.act("follow_sorting"),
-            on_listed=lambda: self.act("follow_listing"),
+            on_listed=self._on_listed,
         )
         self._constants["farthest_squared"] = self.neighbours.half_skin**2
         for term in terms:
@@ -174,15 +174,26 @@ class Solver:
         for term, launch in self._acts[moment]:
             getattr(term, moment)(launch)
 
+    def find_offender(self) -> Offender | None:
+        """The first particle of the run that was beyond a bound, or is so now, or whose row in a list was too short."""
+        return self.guard.find_offender(self.launch)
+
     def check(self) -> None:
-        """Look, on the host, whether a list was too short or a term finds something wrong.
+        """Look, on the host, whether a term finds something wrong.
 
         Raises:
-            DivergenceError: it is so.
+            DivergenceError: one does.
         """
-        self.neighbours.check()
         for term in self.terms:
             term.check(self.state)
+
+    def _before_sorting(self) -> None:
+        self.guard.note(self.launch)
+        self.act("wrap")
+
+    def _on_listed(self) -> None:
+        self.guard.note_neighbours(self.launch)
+        self.act("follow_listing")
 
     def _together(self, *moments: str) -> None:
         """Let terms act at moments at which nobody waits for anybody else."""

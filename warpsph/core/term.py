@@ -5,6 +5,7 @@ from typing import Any, ClassVar
 import numpy as np
 import warp as wp
 
+from warpsph.core.bound import Bound
 from warpsph.core.field import Field, Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
@@ -83,6 +84,14 @@ class Term:
     def speed_limit(self, model: Model) -> float:
         """Speed [m/s] that no particle can have unless the simulation has diverged."""
         return np.inf
+
+    def bounds(self, model: Model, state: State) -> dict[str, Bound]:
+        """What values of fields, by their names, cannot reach unless the simulation has diverged.
+
+        Looked at after each step on the device; of several that are beyond their bounds the first one is reported, so
+        causes stand before what follows from them. ``state`` is that of the start. Fields of ``float`` only.
+        """
+        return {}
 
     def initialise(self, launch: Launch) -> None:
         """Bring up to date what follows from the initial state, before phases change for the first time."""

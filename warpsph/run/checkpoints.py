@@ -1,6 +1,5 @@
 """The checkpoints of a run: what is written to them, and what must be true to go on from one."""
 
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
@@ -14,7 +13,6 @@ from warpsph.run.schedule import Schedule
 from warpsph.run.timestep import StepPlan
 
 
-@dataclass(frozen=True)
 class Checkpoints:
     """Writes the checkpoints of one run.
 
@@ -25,10 +23,9 @@ class Checkpoints:
         writer: the result file, or None.
     """
 
-    path: Path
-    registry: Registry
-    facts: dict[str, Any]
-    writer: ResultWriter | None
+    def __init__(self, path: Path, registry: Registry, facts: dict[str, Any], writer: ResultWriter | None):
+        self.path, self.registry, self.facts, self.writer = path, registry, facts, writer
+        self._newest: float | None = None
 
     def write(self, schedule: Schedule, wall_time: float) -> None:
         """Write what is true now; ``wall_time`` is the run's so far [s].
@@ -46,6 +43,11 @@ class Checkpoints:
             "result": self.writer.counts() if self.writer else {},
         }
         Checkpoint(facts, self.registry.save()).write(self.path)
+        self._newest = schedule.time
+
+    def newest(self) -> dict[str, str]:
+        """Where the newest checkpoint of this run is, for people; nothing where there is none."""
+        return {} if self._newest is None else {"last checkpoint": f"{self.path}, at {self._newest:.6g} s"}
 
 
 def identity(on_cuda: bool) -> dict[str, Any]:

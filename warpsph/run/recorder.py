@@ -74,6 +74,14 @@ class Recorder:
             for event in new_events:
                 self.writer.write_event(*event)
 
+    def last_frame(self) -> dict[str, str]:
+        """Where the last frame is, for people; empty where there is none."""
+        times = self.series["time"]
+        if not times:
+            return {}
+        where = f"frame {len(times)} of {self.writer.path}" if self.writer is not None else f"row {len(times)}"
+        return {"last good frame": f"{where}, at t = {times[-1]:.6g} s"}
+
     def diagnostics(self) -> dict[str, np.ndarray]:
         """The time series."""
         return {name: np.array(values) for name, values in self.series.items()}

@@ -255,11 +255,13 @@ class Simulation:
                 if begun:
                     self.registry.load(begun.saved)
                 else:
+                    refuse_divergence(self.solver, self.plan)
                     recorder.keep()
                 self._advance(schedule, interrupt, Meter(schedule, progress), checkpoints, started)
             status = (self.events.outcome or "complete") if schedule.done else "interrupted"
-        except DivergenceError:
+        except DivergenceError as error:
             status = "diverged"
+            error.facts |= recorder.last_frame() | (checkpoints.newest() if checkpoints else {})
             raise
         finally:
             wall_time = wall_clock.perf_counter() - started
@@ -282,11 +284,12 @@ class Simulation:
         stopping = interrupt.asked
         while not (schedule.done or stopping):
             cycles = schedule.next_batch(meter.cycles_at_once)
-            self.executor.replay(self._recorded(schedule.cycle_steps) * cycles)
-            refuse_divergence(self.solver, self.plan.limits)
+            self._replay(schedule.cycle_steps, cycles)
+            refuse_divergence(self.solver, self.plan)
             if schedule.at_frame:
                 self.state.time.fill_(schedule.time)
                 self.recorder.keep()
+                refuse_divergence(self.solver, self.plan)  # observers may have changed something
             stopping = interrupt.asked
             # before a frame that a longer run does not have, because its observers would remember it
             if checkpoints and (schedule.at_checkpoint or (stopping and schedule.on_whole_cycle)):
@@ -335,6 +338,14 @@ class Simulation:
         self.solver.set_steps(steps.dt, steps.duration)
         if self.steps == 0:
             self.solver.prepare()
+
+    def _replay(self, steps: CycleSteps, cycles: int) -> None:
+        """Go on by so many cycles. Where the host finds no solution on the way, the particle that broke it is named."""
+        try:
+            self.executor.replay(self._recorded(steps) * cycles)
+        except DivergenceError:
+            refuse_divergence(self.solver, self.plan)
+            raise
 
     def _recorded(self, steps: CycleSteps) -> list[tuple[Recording, int]]:
         """What is replayed for a cycle: its steps, the last one with heat; recorded once for each length."""

@@ -24,6 +24,7 @@ class StepPlan:
         limits: of the flow and of solids [s], by reason.
         with_heat: whether heat is conducted at all.
         small_steps: in how many small ones fast forces act on either half of the way.
+        step_factor: what the limits were multiplied by.
     """
 
     longest: float
@@ -31,6 +32,12 @@ class StepPlan:
     limits: Limits
     with_heat: bool
     small_steps: int = 1
+    step_factor: float = 1.0
+
+    @property
+    def stable(self) -> Limits:
+        """The limits [s] as they are where nobody stretches them."""
+        return {reason: limit / self.step_factor for reason, limit in self.limits.items()}
 
 
 def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_factor: float) -> StepPlan:
@@ -60,7 +67,7 @@ def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_fac
     steps = {reason: step_factor * limit for reason, limit in steps.items()}
     heat_every = 1
     if intervals and not steps:
-        steps = intervals
+        steps, step_factor = intervals, 1.0
         longest = _choose(dt, steps)
     else:
         longest = _choose(dt, steps)
@@ -70,7 +77,7 @@ def plan_steps(model: Model, moving: tuple[int, ...], dt: float | None, step_fac
             longest = min(longest, shortest)
     if not np.isfinite(longest):
         raise InputError("dt: nothing limits the time step of this case; give one")
-    return StepPlan(longest, heat_every, steps, bool(intervals), small_steps)
+    return StepPlan(longest, heat_every, steps, bool(intervals), small_steps, float(step_factor))
 
 
 def _small_steps(steps: Limits, small: Limits) -> int:

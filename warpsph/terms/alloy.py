@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from warpsph.core.bound import Bound
 from warpsph.core.field import Field
 from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
@@ -24,7 +25,7 @@ from warpsph.kernels.heat.freezing import freeze, gather_ice
 from warpsph.kernels.heat.walls import count_heat
 from warpsph.terms.alloy_equations import AlloyEquations
 from warpsph.terms.alloy_limits import refuse_full_walls, refuse_start, report_beyond
-from warpsph.terms.conduction import Conduction
+from warpsph.terms.conduction import NO_NUMBER, Conduction
 from warpsph.terms.heat_wall import HeatWall
 from warpsph.terms.implicit_heat import ImplicitHeat
 from warpsph.terms.integrators import EXPLICIT, INTEGRATORS, NO_LIMIT, Implicit, Integrator
@@ -196,6 +197,9 @@ class Alloy(Term):
 
     def summary(self) -> dict[str, str]:
         return {} if self.implicit is None else self.implicit.summary()
+
+    def bounds(self, model: Model, state: State) -> dict[str, Bound]:
+        return {name: Bound(cause=NO_NUMBER) for name in ("temperature", "ice_temperature", "solid_fraction")}
 
     def check(self, state: State) -> None:
         report_beyond(state, self.liquidus)

@@ -8,6 +8,7 @@ from typing import Any, ClassVar
 import numpy as np
 import warp as wp
 
+from warpsph.core.bound import Bound
 from warpsph.core.field import Field
 from warpsph.core.labels import Phase
 from warpsph.core.lattice import Lattice
@@ -18,7 +19,7 @@ from warpsph.core.particles import Particles
 from warpsph.core.periodic import axes_across
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import DivergenceError, InputError, number, require
+from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.heat.conduction import CONDUCTING, SUM_HEAT, ThermalTable, add_heat, update_temperature
 from warpsph.kernels.heat.implicit_conduction import supply_no_heat
@@ -32,7 +33,11 @@ from warpsph.terms.walls_on_device import hold_walls, profiles_of, walls_on_devi
 
 MOST_WALLS = 30  # a bit each
 DEFAULT_INTERVAL = 1.0e-3  # [s]
-ROUNDING = 1.0e-3  # of the highest temperature, by which one may be below 0 K
+ROUNDING = 1.0e-3  # of the highest temperature that is given, by which one may be below 0 K
+NO_NUMBER = "a source, a film or an interval that is far too large, or somebody has set it; look at observers and parts"
+TOO_MUCH_TAKEN = (
+    "more heat is taken from it than it holds; weaken the sinks or fluxes that take it, or take it for a shorter time"
+)
 
 # Longest interval by smoothing kernel, in rho c H^2 / k, and its source; what lattices bear, H = 2 to 3 dx.
 STABLE = {
@@ -198,22 +203,13 @@ class Conduction(Term):
     def summary(self) -> dict[str, str]:
         return {} if self.implicit is None else self.implicit.summary()
 
-    def check(self, state: State) -> None:
-        enthalpy, temperature = state.numpy("enthalpy"), state.numpy("temperature")
-        none, below = ~np.isfinite(enthalpy), temperature < -ROUNDING * np.max(temperature)
-        if not np.any(none | below):
-            return
-        i = np.flatnonzero(none if np.any(none) else below)[0]
-        place = ", ".join(f"{x:.4g}" for x in state.numpy("position")[i])
-        found = (
-            "its enthalpy is not a number"
-            if none[i]
-            else f"it has {temperature[i]:.4g} K, below 0 K: more heat is taken from it than it holds; weaken the "
-            "sinks or fluxes that take it, or take it for a shorter time"
-        )
-        raise DivergenceError(
-            f"particle {state.numpy('id')[i]} at ({place}) m, before t = {float(state.time.numpy()[0]):.6g} s: {found}"
-        )
+    def bounds(self, model: Model, state: State) -> dict[str, Bound]:
+        outside = [np.max(w.profiles["outside"].table) if "outside" in w.profiles else w.outside for w in self.walls]
+        highest = float(max([np.max(state.numpy("temperature")), *outside]))
+        return {
+            "enthalpy": Bound(cause=NO_NUMBER),
+            "temperature": Bound(-ROUNDING * (highest or 1.0), cause=TOO_MUCH_TAKEN),
+        }
 
     @property
     def implicit(self) -> ImplicitHeat | None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from warpsph.core.bound import Bound
 from warpsph.core.faces import require_faces
 from warpsph.core.field import Field
 from warpsph.core.labels import Phase, Role
@@ -24,7 +25,7 @@ from warpsph.kernels.flow.corrected.solids import press_on_solids
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
 from warpsph.kernels.solid.prestress import keep_flow_pressure
 from warpsph.terms.fluid import Fluid
-from warpsph.terms.weakly_compressible import WeaklyCompressible
+from warpsph.terms.weakly_compressible import DENSEST, SQUEEZED, WeaklyCompressible
 
 SMOOTHING_KERNEL = "wendland_c2"
 HALF_A_CELL = 0.51  # from the middle of a face to an edge, with a little more for rounding
@@ -143,6 +144,9 @@ class CorrectedFluid(WeaklyCompressible):
 
     def reach(self, model: Model) -> float:
         return model.support
+
+    def bounds(self, model: Model, state: State) -> dict[str, Bound]:
+        return {"compression": Bound(-1.0, DENSEST - 1.0, SQUEEZED), "pressure": Bound(cause=SQUEEZED)}
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         dx = model.spacing

@@ -6,6 +6,7 @@ from typing import cast
 import numpy as np
 import warp as wp
 
+from warpsph.core.bound import Bound
 from warpsph.core.faces import require_faces
 from warpsph.core.field import Field
 from warpsph.core.labels import Phase
@@ -22,7 +23,7 @@ from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
 from warpsph.kernels.flow.delta import compression_pressure, correct, predict, sum_delta_rates
 from warpsph.terms.corrected_fluid import SAME_DENSITY, CorrectedFluid
-from warpsph.terms.weakly_compressible import SOUND_LIMIT
+from warpsph.terms.weakly_compressible import DENSEST, SOUND_LIMIT, SQUEEZED
 
 SOUND_STEP, VISCOUS_STEP, GRAVITY_STEP = 0.4, 0.125, 0.25  # longest steps in dx / c, h^2 / nu and sqrt(h / g)
 
@@ -136,6 +137,9 @@ class DeltaFluid(Term):
 
     def reach(self, model: Model) -> float:
         return model.support
+
+    def bounds(self, model: Model, state: State) -> dict[str, Bound]:
+        return {"compression": Bound(-1.0, DENSEST - 1.0, SQUEEZED), "pressure": Bound(cause=SQUEEZED)}
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         h, g = 0.5 * model.support, float(np.linalg.norm(model.gravity))

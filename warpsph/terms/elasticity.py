@@ -6,15 +6,16 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.field import Field, Value
+from warpsph.core.guard import note_row
 from warpsph.core.labels import Phase, Role
 from warpsph.core.lattice import Lattice
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
-from warpsph.core.neighbours import refuse_overflow
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import number, require
+from warpsph.kernels.basics.guard import BONDS
 from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.neighbours.cells import clear
 from warpsph.kernels.neighbours.lists import clear_flag
@@ -46,6 +47,8 @@ SHORTEST_BOND = 0.65
 # it swings together with those of its neighbours, and grows stiffer as it is stretched. The corner of a cube bonded to
 # its three nearest has 1.
 OWN_SWING = 1.01
+
+WAVE_LIMIT = 5.0  # times the speed of the elastic wave, at which a run counts as diverged
 
 
 @dataclass(frozen=True, eq=False)
@@ -158,6 +161,12 @@ class Elasticity(Term):
             wave = float(np.hypot(wave, fluid.sound_speed))
         return {"elastic wave": 0.5 * model.spacing / wave} if wave > 0.0 else {}
 
+    def speed_limit(self, model: Model) -> float:
+        """Where nothing flows: a fluid may be faster than the waves of a soft solid, and has a limit of its own."""
+        if any("fluid" in term.provides for term in model.terms):
+            return np.inf
+        return WAVE_LIMIT * max(self.wave_speed(material.density) for material in model.materials)
+
     def initialise(self, launch: Launch) -> None:
         launch.when("phase_changed", lambda: self._bond_solids(launch))
         launch(clear, values=launch.find("froze"))
@@ -188,9 +197,6 @@ class Elasticity(Term):
     def follow_listing(self, launch: Launch) -> None:
         launch(mark_bonded_neighbours)
 
-    def check(self, state: State) -> None:
-        refuse_overflow(self.longest_bond_row, state.bonds.capacity, state)
-
     def _renew_bonds(self, launch: Launch) -> None:
         launch(find_stress)
         if "frozen_from" in launch:
@@ -202,6 +208,7 @@ class Elasticity(Term):
 
     def _bond_solids(self, launch: Launch) -> None:
         launch(update_bonds)
+        note_row(launch, BONDS, self.longest_bond_row, launch.find("bonds").capacity)
         launch(keep_strain)
         launch(mark_bonded_neighbours)
         launch.whole(clear_flag, flag=launch.find("phase_changed"), counter=self.bond_events)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from warpsph.core.bound import Bound
 from warpsph.core.equation_of_state import stiffness
 from warpsph.core.field import Field
 from warpsph.core.hydrostatics import column_pressure
@@ -20,7 +21,7 @@ from warpsph.kernels.flow.forces import add_fluid_forces
 from warpsph.kernels.flow.wall_pressure import extrapolate_pressure
 from warpsph.kernels.solid.prestress import keep_pressure
 from warpsph.terms.phase_change import PhaseChange
-from warpsph.terms.weakly_compressible import WeaklyCompressible
+from warpsph.terms.weakly_compressible import DENSEST, SQUEEZED, WeaklyCompressible
 
 SAME_DENSITY = 1.0e-6  # relative difference
 
@@ -102,6 +103,10 @@ class Fluid(WeaklyCompressible):
         viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
         drag = 2.0 * 4.9633 * viscosity / (h * self.reference_density)
         return {"sound and viscosity (7.6)": 0.5 * h / (self.sound_speed + drag)}
+
+    def bounds(self, model: Model, state: State) -> dict[str, Bound]:
+        densest = DENSEST * max(self.reference_density, float(np.max(state.numpy("density"))))
+        return {"density": Bound(0.0, densest, SQUEEZED), "pressure": Bound(cause=SQUEEZED)}
 
     def find_walls(self, launch: Launch) -> None:
         launch(extrapolate_pressure)

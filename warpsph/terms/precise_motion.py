@@ -14,7 +14,8 @@ from warpsph.core.periodic import box_constants
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError
-from warpsph.kernels.basics.motion import advance_clock, watch
+from warpsph.kernels.basics.guard import watch
+from warpsph.kernels.basics.motion import advance_clock
 from warpsph.kernels.neighbours.wrapping import wrap_precisely
 from warpsph.kernels.particles.motion import drift_precisely, fall_precisely, keep_step, kick_precisely, show
 

@@ -10,6 +10,12 @@ from warpsph.core.term import Term
 from warpsph.errors import number, require
 
 SOUND_LIMIT = 5.0  # times the speed of sound, at which a run counts as diverged
+DENSEST = 2.0  # times the reference density, at which it does; (1.3) then has the pressure of a jet of 5.5 times sound
+
+SQUEEZED = (
+    "a time step beyond its limit, particles that overlap, or a sound speed below ten times the highest speed, so that "
+    "what should be all but incompressible is squeezed or torn apart"
+)
 
 
 @dataclass(frozen=True, eq=False)

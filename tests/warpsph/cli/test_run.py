@@ -108,7 +108,8 @@ def test_divergence_exits_3_and_keeps_the_frames(warpsph_command):
     outcome = warpsph_command("run", "ingot", "--set", "ending=diverge", "--output", "out.vtkhdf", "--quiet")
     assert outcome.code == 3
     assert outcome.error == (
-        "warpsph: particle 7 at (0.1, 0.2, 0) m: speed 1e9 m/s at 0.5 s; the frames before it are in out.vtkhdf\n"
+        "warpsph: particle 7 at (0.1, 0.2, 0) m: speed 1e9 m/s at 0.5 s\n"
+        "  last good frame  the last one of out.vtkhdf\n"
     )
     assert len(ResultFile("out.vtkhdf").times) == 6
 

@@ -61,8 +61,10 @@ def test_the_speed_limit_is_that_of_the_terms():
 def test_divergence_names_the_particle_and_keeps_the_file(tmp_path):
     """A run that blows up without a word teaches nothing."""
     path = tmp_path / "run.vtkhdf"
-    with pytest.raises(DivergenceError, match=r"particle \d+ \(free, water\).*limit 0.5 m/s.*sound and viscosity"):
+    with pytest.raises(DivergenceError, match=r"particle \d+ \(free, water\).*below 0.5 m/s") as caught:
         falling_block(speed_limit=0.5).run(0.5, 0.01, output=path)
+    assert "sound and viscosity (7.6)" in caught.value.facts["time step"]
+    assert f"frame 4 of {path}, at t = 0.03 s" == caught.value.facts["last good frame"]
     stored = ResultFile(path)
     assert stored.provenance["status"] == "diverged"
     assert len(stored.times) > 2
