@@ -55,6 +55,10 @@ class Lattice:
         2 V (f_i - f_j) W'/r that conducts, the diffusivity over the true one."""
         return -self._sum(name, "slope", self.offsets[:, 0] ** 2)
 
+    def slopes(self, name: str) -> np.ndarray:
+        """V W'/r [1/m^2] of each neighbour (n,)."""
+        return self._scale(name) * self._shape(name, "slope", self.offsets)
+
     def curvature(self, name: str) -> float:
         """Laplacian that a sum of V (f_j - f_i) laplacian W finds for a field of second derivative 1."""
         return self._sum(name, "laplacian", 0.5 * self.offsets[:, 0] ** 2)
@@ -92,9 +96,14 @@ class Lattice:
 
     def _sum(self, name: str, form: str, weights: np.ndarray | float, offsets: np.ndarray | None = None) -> float:
         """Sum of V times weight times a form of W ("value", "slope" or "laplacian") over the neighbours."""
-        r_squared = np.sum((self.offsets if offsets is None else offsets) ** 2, axis=1)
+        values = self._shape(name, form, self.offsets if offsets is None else offsets)
+        return float(self._scale(name) * np.sum(weights * values))
+
+    def _scale(self, name: str) -> float:
+        return normalisation(name, self.dimension, self.support) * self.cell_volume
+
+    def _shape(self, name: str, form: str, offsets: np.ndarray) -> np.ndarray:
+        """A form of W (n,), without the normalisation, at offsets (n, 3) [m]."""
         shape = on_host(getattr(smoothing, f"{name}_{form}"))
         takes_dimension = "dimension" in shape.__code__.co_varnames[: shape.__code__.co_argcount]
-        values = shape(r_squared, self.support, *((self.dimension,) if takes_dimension else ()))
-        scale = normalisation(name, self.dimension, self.support) * self.cell_volume
-        return float(scale * np.sum(weights * values))
+        return shape(np.sum(offsets**2, axis=1), self.support, *((self.dimension,) if takes_dimension else ()))

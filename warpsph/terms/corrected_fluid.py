@@ -13,6 +13,7 @@ from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
+from warpsph.core.waves import wave_rates
 from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics import smoothing
 from warpsph.kernels.basics.host import on_host
@@ -29,10 +30,12 @@ from warpsph.terms.weakly_compressible import DENSEST, SQUEEZED, WeaklyCompressi
 
 SMOOTHING_KERNEL = "wendland_c2"
 HALF_A_CELL = 0.51  # from the middle of a face to an edge, with a little more for rounding
+LONGEST_DELAY = 5.0  # of the pressure: what is disordered gains energy from 20 on, in steps of any length
 ANISOTROPY = {2: 2.0, 3: 2.5}
 LARGEST_RATIO = 10.0  # of two densities: layers at rest are calm up to 30, and fly apart at 100
 SAME_DENSITY = 1.0e-6  # relative difference
 SOUND_STEP, VISCOUS_STEP = 1.0, 0.15  # longest steps in dx / c and dx^2 / nu
+DAMPING_STEP = 1.0  # longest step over what velocities, and the density, take to decay; beyond 1.6 either diverges
 SOLID_STEP = 0.5  # longest step in dx / c with solids: at 1 the shell of a casting mould diverged
 SURFACE_STEP = 0.7  # the same with a free surface: at 1 impacts at Mach 0.3 may diverge
 
@@ -61,7 +64,7 @@ class CorrectedFluid(WeaklyCompressible):
         surface_viscosity: alpha at and near a free surface, None for the same. A fluid at rest feeds on the change from
             corrected to plain sums there: 0.2 calms it, and takes 0.2 % more of the energy of a patch of 50 rows that
             stretches to twice its length.
-        bulk_delay: tau, by which pressure leads the compression, in h / c.
+        bulk_delay: tau, by which pressure leads the compression, in h / c; at most 5.
         shifting: speed by which particles spread evenly, in h times the gradient of their concentration.
     """
 
@@ -77,6 +80,8 @@ class CorrectedFluid(WeaklyCompressible):
             require(self, name, 0.0 <= number(getattr(self, name)) < np.inf, "zero or positive")
         if self.surface_viscosity is not None:
             require(self, "surface_viscosity", 0.0 <= number(self.surface_viscosity) < np.inf, "zero or positive")
+        bears = self.bulk_delay <= LONGEST_DELAY
+        require(self, "bulk_delay", bears, f"at most {LONGEST_DELAY:g}; artificial_viscosity damps more than that")
         require(self, "free_surface", isinstance(self.free_surface, bool | np.bool_), "True or False")
         super().__post_init__()
 
@@ -159,7 +164,18 @@ class CorrectedFluid(WeaklyCompressible):
         thickest = max((material.viscosity / material.density for material in flowing), default=0.0)
         if thickest > 0.0:
             steps["viscosity"] = VISCOUS_STEP * dx**2 / thickest
-        return steps
+        return steps | self._damping_steps(model, fastest)
+
+    def _damping_steps(self, model: Model, fastest: float) -> dict[str, float]:
+        """Longest steps [s] by what is damped, where sound is ``fastest`` [m/s]; explicit steps overshoot beyond it."""
+        waves, h = wave_rates(model.lattice, SMOOTHING_KERNEL), 0.5 * model.support
+        artificial = max(self.artificial_viscosity, self.surface_viscosity or 0.0) * h * fastest * waves.along
+        delayed = self.bulk_delay * h / self.sound_speed * (fastest * waves.slope) ** 2
+        rates = {
+            "artificial viscosity and delay of the pressure": artificial + delayed,
+            "diffusion of the density": 2.0 * self.density_diffusion * h * fastest * waves.spread,
+        }
+        return {reason: DAMPING_STEP / rate for reason, rate in rates.items() if rate > 0.0}
 
     def set_out(self, launch: Launch) -> None:
         launch(shift_half)

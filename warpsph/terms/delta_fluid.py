@@ -15,6 +15,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
 from warpsph.core.term import Term
+from warpsph.core.waves import wave_rates
 from warpsph.errors import InputError, number, require
 from warpsph.kernels.basics.host import on_host
 from warpsph.kernels.basics.roles import FLUID_ROLES
@@ -26,6 +27,8 @@ from warpsph.terms.corrected_fluid import SAME_DENSITY, CorrectedFluid
 from warpsph.terms.weakly_compressible import DENSEST, SOUND_LIMIT, SQUEEZED
 
 SOUND_STEP, VISCOUS_STEP, GRAVITY_STEP = 0.4, 0.125, 0.25  # longest steps in dx / c, h^2 / nu and sqrt(h / g)
+
+DAMPING_STEP = 0.5  # longest step over what velocities, and the density, take to decay; beyond 1 either diverges
 
 
 def _reference_density(model: Model) -> float:
@@ -47,7 +50,7 @@ class DeltaFluid(Term):
         density_diffusion: delta.
         artificial_viscosity: alpha; in the plane it acts like a kinematic viscosity of alpha h c / 8.
         exponent: gamma of Tait's equation of state; 1 makes pressure linear in density.
-        background_pressure: added to it everywhere [Pa].
+        background_pressure: added to it everywhere [Pa], at most rho_0 c^2: what is disordered flies apart with it.
     """
 
     reference_density: float
@@ -64,6 +67,9 @@ class DeltaFluid(Term):
         require(self, "reference_density", 0.0 < number(self.reference_density) < np.inf, "positive [kg/m^3]")
         require(self, "sound_speed", 0.0 < number(self.sound_speed) < np.inf, "positive [m/s]")
         require(self, "free_surface", isinstance(self.free_surface, bool | np.bool_), "True or False")
+        stiff = number(self.background_pressure) <= self.bulk_modulus
+        allowed = f"at most rho_0 c^2 = {self.bulk_modulus:g} Pa; a higher sound_speed allows more"
+        require(self, "background_pressure", stiff, allowed)
         require(self, "exponent", 1.0 <= number(self.exponent) <= 10.0, "from 1, linear, to 10")
 
     provides = ("a flow",)
@@ -143,13 +149,19 @@ class DeltaFluid(Term):
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         h, g = 0.5 * model.support, float(np.linalg.norm(model.gravity))
-        steps = {"sound": SOUND_STEP * model.spacing / self.sound_speed}
+        stiffest = float(np.sqrt(self.sound_speed**2 + 2.0 * self.background_pressure / self.reference_density))
+        steps = {"sound": SOUND_STEP * model.spacing / stiffest}
         viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
         if viscosity > 0.0:
             steps["viscosity"] = VISCOUS_STEP * h**2 * self.reference_density / viscosity
         if g > 0.0:
             steps["gravity"] = GRAVITY_STEP * np.sqrt(h / g)
-        return steps
+        waves = wave_rates(model.lattice, "wendland_c2")
+        rates = {
+            "artificial viscosity": self.artificial_viscosity * h * self.sound_speed * waves.along,
+            "diffusion of the density": 2.0 * self.density_diffusion * h * self.sound_speed * waves.spread,
+        }
+        return steps | {reason: DAMPING_STEP / rate for reason, rate in rates.items() if rate > 0.0}
 
     def speed_limit(self, model: Model) -> float:
         return SOUND_LIMIT * self.sound_speed
