@@ -23,6 +23,7 @@ from warpsph.errors import DivergenceError, InputError, number, numbers, shown
 from warpsph.files.checkpoint import Checkpoint, beside
 from warpsph.files.output import ResultWriter
 from warpsph.files.provenance import provenance
+from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.run.checkpoints import Checkpoints, continued_schedule, identity, refuse_foreign
 from warpsph.run.divergence import refuse_divergence
 from warpsph.run.estimate import Estimate, estimate_run, refuse_endless, refuse_full_disk
@@ -86,9 +87,7 @@ class Simulation:
         self.model = model = compose(model, tuple(parts))
         if len(particles) == 0:
             raise InputError("particles: there is none; add some before the simulation is built")
-        free = set(particles.material[particles.role == Role.FREE])
-        moving = tuple(sorted(model.index_of(material) for material in free))
-        self.plan = plan_steps(model, moving, dt, step_factor)
+        self.plan = plan_steps(model, _moving_materials(model, particles), dt, step_factor)
         margin = 4.0 * model.support
         lower = particles.position.min(axis=0) - margin if lower is None else np.array(numbers(lower, 3))
         upper = particles.position.max(axis=0) + margin if upper is None else np.array(numbers(upper, 3))
@@ -385,6 +384,13 @@ class Simulation:
             materials=tuple(material.name for material in self.model.materials),
             summary=summary,
         )
+
+
+def _moving_materials(model: Model, particles: Particles) -> tuple[int, ...]:
+    """Indices of the materials of what the forces move, or will once it has come in."""
+    comes_in = np.isin(particles.role, (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
+    names = set(particles.material[comes_in | (particles.role == Role.FREE)])
+    return tuple(sorted(model.index_of(name) for name in names))
 
 
 def _refuse_other_kinds(**given: tuple[Any, type]) -> None:

@@ -10,6 +10,7 @@ from warpsph.core.faces import require_faces
 from warpsph.core.field import Field
 from warpsph.core.labels import Phase, Role
 from warpsph.core.launch import Launch
+from warpsph.core.materials import Material
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.state import State
@@ -155,16 +156,20 @@ class CorrectedFluid(WeaklyCompressible):
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         dx = model.spacing
-        flowing = [model.materials[m] for m in moving]
-        lightest = min([self.reference_density, *(material.density for material in flowing)])
-        fastest = self.sound_speed * float(np.sqrt(self.reference_density / lightest))
+        fastest = self.sound_speed * float(np.sqrt(self.reference_density / self.lightest(model, moving)))
         with_solids = any("elasticity" in term.provides for term in model.terms)
         sound_step = SOLID_STEP if with_solids else SURFACE_STEP if self.free_surface else SOUND_STEP
         steps = {"sound": sound_step * dx / fastest}
-        thickest = max((material.viscosity / material.density for material in flowing), default=0.0)
-        if thickest > 0.0:
+        if (thickest := self._largest_diffusivity([model.materials[m] for m in moving], with_solids)) > 0.0:
             steps["viscosity"] = VISCOUS_STEP * dx**2 / thickest
         return steps | self._damping_steps(model, fastest)
+
+    def _largest_diffusivity(self, moving: list[Material], with_solids: bool) -> float:
+        """The largest kinematic viscosity [m^2/s] of a pair: a mean of two fluids, that of the fluid for a solid."""
+        pairs = [(own.density, own.viscosity, other.viscosity) for own in moving for other in moving]
+        if with_solids:
+            return max((viscosity / density for density, _, viscosity in pairs), default=0.0)
+        return max((2.0 * a * b / (a + b) / density for density, a, b in pairs if a + b > 0.0), default=0.0)
 
     def _damping_steps(self, model: Model, fastest: float) -> dict[str, float]:
         """Longest steps [s] by what is damped, where sound is ``fastest`` [m/s]; explicit steps overshoot beyond it."""

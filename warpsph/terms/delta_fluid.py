@@ -24,7 +24,7 @@ from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
 from warpsph.kernels.flow.delta import compression_pressure, correct, predict, sum_delta_rates
 from warpsph.terms.corrected_fluid import SAME_DENSITY, CorrectedFluid
-from warpsph.terms.weakly_compressible import DENSEST, SOUND_LIMIT, SQUEEZED
+from warpsph.terms.weakly_compressible import DENSEST, SOUND_LIMIT, SQUEEZED, largest_shared_viscosity
 
 SOUND_STEP, VISCOUS_STEP, GRAVITY_STEP = 0.4, 0.125, 0.25  # longest steps in dx / c, h^2 / nu and sqrt(h / g)
 
@@ -151,8 +151,7 @@ class DeltaFluid(Term):
         h, g = 0.5 * model.support, float(np.linalg.norm(model.gravity))
         stiffest = float(np.sqrt(self.sound_speed**2 + 2.0 * self.background_pressure / self.reference_density))
         steps = {"sound": SOUND_STEP * model.spacing / stiffest}
-        viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
-        if viscosity > 0.0:
+        if (viscosity := largest_shared_viscosity(model, moving)) > 0.0:
             steps["viscosity"] = VISCOUS_STEP * h**2 * self.reference_density / viscosity
         if g > 0.0:
             steps["gravity"] = GRAVITY_STEP * np.sqrt(h / g)

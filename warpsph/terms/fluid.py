@@ -21,7 +21,7 @@ from warpsph.kernels.flow.forces import add_fluid_forces
 from warpsph.kernels.flow.wall_pressure import extrapolate_pressure
 from warpsph.kernels.solid.prestress import keep_pressure
 from warpsph.terms.phase_change import PhaseChange
-from warpsph.terms.weakly_compressible import DENSEST, SQUEEZED, WeaklyCompressible
+from warpsph.terms.weakly_compressible import DENSEST, SQUEEZED, WeaklyCompressible, largest_shared_viscosity
 
 SAME_DENSITY = 1.0e-6  # relative difference
 
@@ -98,11 +98,14 @@ class Fluid(WeaklyCompressible):
                 )
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
-        """Vijaykumar (2012), equation (7.6) with h = H/2, because the formula comes from a kernel with support 2h."""
-        h = 0.5 * model.support
-        viscosity = max((model.materials[m].viscosity for m in moving), default=0.0)
-        drag = 2.0 * 4.9633 * viscosity / (h * self.reference_density)
-        return {"sound and viscosity (7.6)": 0.5 * h / (self.sound_speed + drag)}
+        """Vijaykumar (2012), equation (7.6) with h = H/2, because the formula comes from a kernel with support 2h.
+
+        A solid that is lighter than the fluid is driven by the same forces.
+        """
+        h, lightest = 0.5 * model.support, self.lightest(model, moving)
+        fastest = self.sound_speed * float(np.sqrt(self.reference_density / lightest))
+        drag = 2.0 * 4.9633 * largest_shared_viscosity(model, moving) / (h * lightest)
+        return {"sound and viscosity (7.6)": 0.5 * h / (fastest + drag)}
 
     def bounds(self, model: Model, state: State) -> dict[str, Bound]:
         densest = DENSEST * max(self.reference_density, float(np.max(state.numpy("density"))))

@@ -29,6 +29,6 @@ class Tension(Term):
     needs = ("fluid", "a density by continuity")
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
-        """That of the shortest capillary wave (Morris 2000)."""
-        inertia = model.the(WeaklyCompressible).reference_density * (0.5 * model.support) ** 3
+        """That of the shortest capillary wave (Morris 2000), which is fastest in the lightest fluid."""
+        inertia = model.the(WeaklyCompressible).lightest(model, moving) * (0.5 * model.support) ** 3
         return {"surface tension": 0.25 * float(np.sqrt(inertia / (2.0 * np.pi * self.coefficient)))}

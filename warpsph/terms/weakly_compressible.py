@@ -49,6 +49,17 @@ class WeaklyCompressible(Term):
     def speed_limit(self, model: Model) -> float:
         return SOUND_LIMIT * self.sound_speed
 
+    def lightest(self, model: Model, moving: tuple[int, ...]) -> float:
+        """The least density [kg/m^3] of what moves, or the reference where that is less."""
+        return min([self.reference_density, *(model.materials[m].density for m in moving)])
+
     def keep_pressure(self, launch: Launch) -> None:
         """Let the bonds of what has just frozen go on bearing the pressure of the fluid."""
         raise NotImplementedError
+
+
+def largest_shared_viscosity(model: Model, moving: tuple[int, ...]) -> float:
+    """The largest harmonic mean [Pa s] of the viscosity of what moves and that of anything beside it, walls too."""
+    own = np.array([model.materials[m].viscosity for m in moving])[:, None]
+    other = np.array([material.viscosity for material in model.materials])
+    return float(np.max(2.0 * own * other / np.maximum(own + other, np.finfo(float).tiny), initial=0.0))

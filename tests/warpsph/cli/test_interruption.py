@@ -25,7 +25,9 @@ WORDS = [*COARSE, "--until", "1e4", "--output", "out.vtkhdf"]
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
-def test_a_signal_keeps_what_has_been_simulated(tmp_path: Path, number: signal.Signals, monkeypatch: pytest.MonkeyPatch):
+def test_a_signal_keeps_what_has_been_simulated(
+    tmp_path: Path, number: signal.Signals, monkeypatch: pytest.MonkeyPatch
+):
     """If it failed, stopping a long run by hand or by a batch system would lose it, or leave no way to go on."""
     command = [sys.executable, "-c", PROGRAM, *WORDS]
     with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
