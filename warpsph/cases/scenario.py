@@ -35,7 +35,7 @@ def parameter(default: Any, unit: str, meaning: str, *, changeable: bool = False
         bounds: ``gt``, ``ge``, ``lt``, ``le`` as in pydantic.
     """
     by_name = False if isinstance(default, Enum) else None  # strict reading would refuse its name
-    extra = {"unit": unit, "changeable": changeable}
+    extra: dict[str, Any] = {"unit": unit, "changeable": changeable}
     return Field(default, strict=by_name, description=meaning, json_schema_extra=extra, **bounds)
 
 

@@ -41,7 +41,7 @@ def mend_streams() -> None:
             os.open(os.devnull, os.O_RDWR)  # takes the lowest number that is free
     if sys.stdout is None:
         sys.stdout = open(os.devnull, "w")  # noqa: SIM115
-    sys.stderr = Unfailing(sys.stderr or open(os.devnull, "w"))  # type: ignore[assignment]  # noqa: SIM115
+    sys.stderr = Unfailing(sys.stderr or open(os.devnull, "w"))  # noqa: SIM115
 
 
 def written_out(code: int) -> int:

@@ -12,7 +12,6 @@ from warpsph.core.composition import compose
 from warpsph.core.executor import Executor, Recording
 from warpsph.core.footprint import refuse_what_does_not_fit
 from warpsph.core.initial import initial_state
-from warpsph.core.labels import Role
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
 from warpsph.core.registry import Registry, Remembers
@@ -23,7 +22,6 @@ from warpsph.errors import DivergenceError, InputError, number, numbers, shown
 from warpsph.files.checkpoint import Checkpoint, beside
 from warpsph.files.output import ResultWriter
 from warpsph.files.provenance import provenance
-from warpsph.kernels.basics.roles import FLUID_ROLES
 from warpsph.run.checkpoints import Checkpoints, continued_schedule, identity, refuse_foreign
 from warpsph.run.divergence import refuse_divergence
 from warpsph.run.estimate import Estimate, estimate_run, refuse_endless, refuse_full_disk
@@ -34,7 +32,7 @@ from warpsph.run.progress import Report
 from warpsph.run.recorder import Describe, Observe, Recorder
 from warpsph.run.result import Result
 from warpsph.run.schedule import CycleSteps, Schedule
-from warpsph.run.timestep import plan_steps
+from warpsph.run.timestep import moving_materials, plan_steps
 
 FASTEST = 1.0e6  # [m/s], where no term knows a limit
 
@@ -87,7 +85,7 @@ class Simulation:
         self.model = model = compose(model, tuple(parts))
         if len(particles) == 0:
             raise InputError("particles: there is none; add some before the simulation is built")
-        self.plan = plan_steps(model, _moving_materials(model, particles), dt, step_factor)
+        self.plan = plan_steps(model, moving_materials(model, particles), dt, step_factor)
         margin = 4.0 * model.support
         lower = particles.position.min(axis=0) - margin if lower is None else np.array(numbers(lower, 3))
         upper = particles.position.max(axis=0) + margin if upper is None else np.array(numbers(upper, 3))
@@ -384,13 +382,6 @@ class Simulation:
             materials=tuple(material.name for material in self.model.materials),
             summary=summary,
         )
-
-
-def _moving_materials(model: Model, particles: Particles) -> tuple[int, ...]:
-    """Indices of the materials of what the forces move, or will once it has come in."""
-    comes_in = np.isin(particles.role, (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
-    names = set(particles.material[comes_in | (particles.role == Role.FREE)])
-    return tuple(sorted(model.index_of(name) for name in names))
 
 
 def _refuse_other_kinds(**given: tuple[Any, type]) -> None:

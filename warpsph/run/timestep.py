@@ -4,9 +4,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from warpsph.core.labels import Role
 from warpsph.core.model import Model
+from warpsph.core.particles import Particles
 from warpsph.core.term import Term
 from warpsph.errors import InputError, number
+from warpsph.kernels.basics.roles import FLUID_ROLES
 
 Limits = dict[str, float]
 
@@ -110,3 +113,10 @@ def _choose(dt: float | None, limits: Limits) -> float:
     if dt > longest * (1.0 + ROUNDING):
         raise InputError(f"time step {dt:.3g} s is too long; limits: {listed(limits)}")
     return dt
+
+
+def moving_materials(model: Model, particles: Particles) -> tuple[int, ...]:
+    """Indices of the materials of what the forces move, or will once it has come in."""
+    comes_in = np.isin(particles.role, (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
+    names = set(particles.material[comes_in | (particles.role == Role.FREE)])
+    return tuple(sorted(model.index_of(name) for name in names))
