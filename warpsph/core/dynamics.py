@@ -14,6 +14,7 @@ from warpsph.kernels.basics.motion import fall, kick
 class Dynamics(Term):
     """Semi-implicit Euler steps: gravity and the forces of all terms change velocities, which then move positions."""
 
+    keeps_momentum = True
     provides = ("forces",)
     follows = ("motion",)
 

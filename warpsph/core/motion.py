@@ -5,9 +5,11 @@ from typing import ClassVar
 
 import warp as wp
 
+from warpsph.core.content import Content
 from warpsph.core.field import Field
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
+from warpsph.core.momentum import mass_by_id, momentum
 from warpsph.core.periodic import box_constants
 from warpsph.core.state import State
 from warpsph.core.term import Term
@@ -32,6 +34,9 @@ class Motion(Term):
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return box_constants(model.periodic)
+
+    def contents(self, model: Model, state: State) -> dict[str, Content]:
+        return {"mass": mass_by_id(state)} | momentum(model, state, state.numpy("velocity"))
 
     def wrap(self, launch: Launch) -> None:
         launch(wrap)

@@ -6,6 +6,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.bound import Bound
+from warpsph.core.content import Content
 from warpsph.core.field import Field, Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
@@ -41,6 +42,9 @@ class Term:
         for name, value in vars(cls).items():
             if isinstance(value, Field | Value) and hasattr(Term, name):
                 raise TypeError(f"{cls.__name__}: every term has something called '{name}'; choose another name")
+
+    # whether its forces are opposite in each pair, so that free bodies keep their momentum to rounding
+    keeps_momentum: ClassVar[bool] = False
 
     @property
     def arrays(self) -> dict[str, wp.array]:
@@ -171,6 +175,17 @@ class Term:
     def bounded_axes(self, model: Model) -> tuple[int, ...]:
         """The axes (0, 1, 2) along which it has one place in space: along them the box cannot be periodic."""
         return ()
+
+    def contents(self, model: Model, state: State) -> dict[str, Content]:
+        """What there is now of the quantities that it conserves, by name; for the ledgers of a run.
+
+        What changes them from outside, other terms say in :meth:`gains`.
+        """
+        return {}
+
+    def gains(self, state: State) -> dict[str, dict[str, float | np.ndarray]]:
+        """How much of conserved quantities has come in since the start, by quantity and way; terms may share a way."""
+        return {}
 
     def summary(self) -> dict[str, str]:
         """What is to be said of it at the end of a run, by a few words."""

@@ -21,6 +21,7 @@ class Verlet(Motion):
     1992): the sums over neighbours need not follow them.
     """
 
+    keeps_momentum = True
     provides = ("motion", "forces", "second-order motion", "small steps")
 
     acceleration = Dynamics.acceleration

@@ -32,6 +32,13 @@ class ExchangePart(Term):
             setattr(exchange, name, getattr(state, name))
         return {"exchange": exchange, "renewed": _renewed(model, state)}
 
+    def gains(self, state: State) -> dict[str, dict[str, float | np.ndarray]]:
+        """Of all parts together: the particles keep the ledger."""
+        mass = (state.numpy("entries") - state.numpy("exits")) * state.numpy("mass").astype(float)
+        heat = float(np.sum(state.numpy("heat_entered") - state.numpy("heat_left")))
+        way = "inlets, sprays and outflows"
+        return {"mass": {way: mass[np.argsort(state.numpy("id"))]}, "heat": {way: heat}}
+
     def start_anew(self, launch: Launch) -> None:
         """Give what has just come in the start values of the renewed fields."""
         for kernel, start, array in launch.find("renewed"):

@@ -9,6 +9,7 @@ from warpsph.core.quantity import Quantity
 from warpsph.errors import InputError
 from warpsph.files.tables import Diagnosed, optional
 from warpsph.nearest import did_you_mean
+from warpsph.run.ledgers import Ledger
 
 if TYPE_CHECKING:
     import pandas
@@ -21,8 +22,8 @@ class Result(Diagnosed):
     ``positions`` (n, 3) [m] and ``fields`` (n, ...) hold every particle in the order of its id, those in the reservoir
     too; ``quantities`` says what the diagnostics are called and in which unit; ``status`` is "complete",
     "interrupted", or what has become of the run, for example "strand lost"; ``materials`` are their names, by index;
-    ``summary`` pairs a label with a text for people; ``stopped_by`` is the number of the signal that has
-    interrupted the run, or 0.
+    ``summary`` pairs a label with a text for people; ``stopped_by`` is the number of the signal that has interrupted
+    the run, or 0; ``ledgers`` say of each conserved quantity whether it was.
     """
 
     positions: np.ndarray
@@ -37,6 +38,7 @@ class Result(Diagnosed):
     materials: tuple[str, ...] = ()
     summary: dict[str, str] = field(default_factory=dict)
     stopped_by: int = 0
+    ledgers: list[Ledger] = field(default_factory=list)
 
     def made_of(self, material: str) -> np.ndarray:
         """Which particles (n,) are made of a material.

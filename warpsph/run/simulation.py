@@ -2,14 +2,14 @@
 
 import time as wall_clock
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
-from uuid import uuid4
 
 import numpy as np
 
 from warpsph.core.composition import compose
-from warpsph.core.executor import Executor, Recording
+from warpsph.core.executor import Executor
 from warpsph.core.footprint import refuse_what_does_not_fit
 from warpsph.core.initial import initial_state
 from warpsph.core.model import Model
@@ -21,17 +21,19 @@ from warpsph.core.term import Term
 from warpsph.errors import DivergenceError, InputError, number, numbers, shown
 from warpsph.files.checkpoint import Checkpoint, beside
 from warpsph.files.output import ResultWriter
-from warpsph.files.provenance import provenance
 from warpsph.run.checkpoints import Checkpoints, continued_schedule, identity, refuse_foreign
+from warpsph.run.cycles import Cycles
 from warpsph.run.divergence import refuse_divergence
 from warpsph.run.estimate import Estimate, estimate_run, refuse_endless, refuse_full_disk
 from warpsph.run.events import Events
+from warpsph.run.facts import facts_of_run
 from warpsph.run.interrupt import InterruptRequest
+from warpsph.run.ledgers import Ledger, Ledgers, warn_of_open
 from warpsph.run.meter import Meter
 from warpsph.run.progress import Report
 from warpsph.run.recorder import Describe, Observe, Recorder
 from warpsph.run.result import Result
-from warpsph.run.schedule import CycleSteps, Schedule
+from warpsph.run.schedule import Schedule
 from warpsph.run.timestep import moving_materials, plan_steps
 
 FASTEST = 1.0e6  # [m/s], where no term knows a limit
@@ -100,8 +102,9 @@ class Simulation:
             raise InputError(f"speed_limit = {speed_limit!r}: must be positive [m/s]")
         self.solver = Solver(executor, model, state, lower, upper, speed_limit, small_steps=self.plan.small_steps)
         self.events = Events()
+        self.ledgers = Ledgers(model, state)
         self.recorder = Recorder(state, model.dimension, self.events, observe, describe)
-        self._recordings: dict[CycleSteps, list[tuple[Recording, int]]] = {}
+        self._cycles = Cycles(executor, self.solver, self.plan)
 
     @property
     def time(self) -> float:
@@ -116,7 +119,7 @@ class Simulation:
     @property
     def registry(self) -> Registry:
         """All that changes in a run."""
-        memories: dict[str, Remembers] = {"events": self.events, "recorder": self.recorder}
+        memories: dict[str, Remembers] = {"events": self.events, "recorder": self.recorder, "ledgers": self.ledgers}
         observer = getattr(self.recorder.observe, "__self__", self.recorder.observe)
         if isinstance(observer, Remembers):
             memories["observer"] = observer
@@ -189,13 +192,11 @@ class Simulation:
     def measure(self, schedule: Schedule) -> float:
         """How long [s] a run by this schedule would take, by a few of its steps and one look, which are done."""
         self._begin_with(schedule)
-        cycle = self._recorded(schedule.cycle_steps)
-        pieces = [self.executor.seconds(recording) * count for recording, count in cycle]
-        steps = schedule.cycle_steps.count
+        seconds = self._cycles.seconds(schedule.cycle_steps)
         started = wall_clock.perf_counter()
         self.recorder.keep()
         look = wall_clock.perf_counter() - started
-        return sum(pieces) / steps * schedule.steps + look * schedule.frames
+        return seconds / schedule.cycle_steps.count * schedule.steps + look * schedule.frames
 
     def run(
         self,
@@ -244,7 +245,7 @@ class Simulation:
         recorder.begin(writer)
         checkpoints = self._checkpoints(checkpoint, checkpoint_every, writer, parameters or {})
         started = wall_clock.perf_counter() - (begun.facts["wall_time"] if begun else 0.0)
-        status = "failed"
+        status, ledgers = "failed", []
         interrupt = InterruptRequest()
         try:
             with interrupt:
@@ -256,6 +257,7 @@ class Simulation:
                     recorder.keep()
                 self._advance(schedule, interrupt, Meter(schedule, progress), checkpoints, started)
             status = (self.events.outcome or "complete") if schedule.done else "interrupted"
+            ledgers = self.ledgers.close()
         except DivergenceError as error:
             status = "diverged"
             error.facts |= recorder.last_frame() | (checkpoints.newest() if checkpoints else {})
@@ -264,10 +266,11 @@ class Simulation:
             wall_time = wall_clock.perf_counter() - started
             if writer is not None:
                 with InterruptRequest():
-                    writer.finish(status=status, wall_time=wall_time, steps=self.steps)
+                    writer.finish(status=status, wall_time=wall_time, steps=self.steps, ledgers=[*map(asdict, ledgers)])
                     writer.close()
             interrupt.send_on()
-        return self._result(status, wall_time, interrupt.number)
+        warn_of_open(ledgers)
+        return self._result(status, wall_time, interrupt.number, ledgers)
 
     def _advance(
         self,
@@ -281,7 +284,7 @@ class Simulation:
         stopping = interrupt.asked
         while not (schedule.done or stopping):
             cycles = schedule.next_batch(meter.cycles_at_once)
-            self._replay(schedule.cycle_steps, cycles)
+            self._cycles.replay(schedule.cycle_steps, cycles)
             refuse_divergence(self.solver, self.plan)
             if schedule.at_frame:
                 self.state.time.fill_(schedule.time)
@@ -304,16 +307,7 @@ class Simulation:
             return None
         if begun and Path(output).exists():
             return ResultWriter.continued(output, parameters, begun.facts["result"])
-        facts = provenance(self.executor.device_name, self.executor.threads) | {
-            "run": uuid4().hex,
-            "spacing": self.model.spacing,
-            "dimension": self.model.dimension,
-            "materials": [material.name for material in self.model.materials],
-        }
-        if self.model.periodic is not None:
-            facts |= self.model.periodic.facts()
-        for term in self.model.terms:
-            facts |= term.facts()
+        facts = facts_of_run(self.executor, self.model)
         quantities = {name: field.quantity for name, field in self.state.fields.items() if field.written}
         return ResultWriter(output, parameters, facts, overwrite, quantities)
 
@@ -335,29 +329,9 @@ class Simulation:
         self.solver.set_steps(steps.dt, steps.duration)
         if self.steps == 0:
             self.solver.prepare()
+            self.ledgers.open()
 
-    def _replay(self, steps: CycleSteps, cycles: int) -> None:
-        """Go on by so many cycles. Where the host finds no solution on the way, the particle that broke it is named."""
-        try:
-            self.executor.replay(self._recorded(steps) * cycles)
-        except DivergenceError:
-            refuse_divergence(self.solver, self.plan)
-            raise
-
-    def _recorded(self, steps: CycleSteps) -> list[tuple[Recording, int]]:
-        """What is replayed for a cycle: its steps, the last one with heat; recorded once for each length."""
-        if steps not in self._recordings:
-            solver, record = self.solver, self.executor.record
-            usual = solver.dt, solver.interval
-            solver.set_steps(steps.dt, steps.duration)
-            recordings = [(record(solver.step_with_heat if self.plan.with_heat else solver.step), 1)]
-            if steps.count > 1:
-                recordings.insert(0, (record(solver.step), steps.count - 1))
-            solver.set_steps(*usual)
-            self._recordings[steps] = recordings
-        return self._recordings[steps]
-
-    def _result(self, status: str, wall_time: float, stopped_by: int) -> Result:
+    def _result(self, status: str, wall_time: float, stopped_by: int, ledgers: list[Ledger]) -> Result:
         fields = self.snapshot()
         recorder = self.recorder
         summary = {
@@ -366,6 +340,7 @@ class Simulation:
         }
         for term in self.model.terms:
             summary |= term.summary()
+        summary |= {f"ledger of {ledger.quantity}": str(ledger) for ledger in ledgers}
         if recorder.note:
             summary["at the end"] = recorder.note
         return Result(
@@ -381,6 +356,7 @@ class Simulation:
             wall_time=wall_time,
             materials=tuple(material.name for material in self.model.materials),
             summary=summary,
+            ledgers=ledgers,
         )
 
 

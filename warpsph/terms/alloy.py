@@ -9,6 +9,7 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.bound import Bound
+from warpsph.core.content import Content
 from warpsph.core.field import Field
 from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
@@ -30,7 +31,7 @@ from warpsph.terms.heat_wall import HeatWall
 from warpsph.terms.implicit_heat import ImplicitHeat
 from warpsph.terms.integrators import EXPLICIT, INTEGRATORS, NO_LIMIT, Implicit, Integrator
 from warpsph.terms.liquidus import Liquidus
-from warpsph.terms.solute import SMOOTHING_KERNEL, Solute, planes, refuse_behind
+from warpsph.terms.solute import LOST, SMOOTHING_KERNEL, Solute, planes, refuse_behind
 
 SAFETY = 0.8  # of the step in which no temperature would pass the mean of those around it
 
@@ -208,6 +209,19 @@ class Alloy(Term):
     def implicit(self) -> ImplicitHeat | None:
         """What solves the steps of an implicit integrator, once it belongs to a simulation."""
         return self.__dict__.get("_implicit")
+
+    def contents(self, model: Model, state: State) -> dict[str, Content]:
+        heat = state.numpy("liquid_heat") + state.numpy("ice_heat") - state.numpy("heat_freed")
+        mass = state.numpy("liquid_mass") + state.numpy("ice_mass")
+        solute = state.numpy("solute_mass")
+        return {
+            "heat": Content(float(np.sum(heat)), float(np.sum(np.abs(heat))), "J", LOST),
+            "mass of liquid and ice": Content(float(np.sum(mass)), float(np.sum(mass)), "kg", LOST),
+            "solute": Content(float(np.sum(solute)), float(np.sum(solute)), "kg", LOST),
+        }
+
+    def gains(self, state: State) -> dict[str, dict[str, float | np.ndarray]]:
+        return {"heat": {"walls": -float(np.sum(self.heat_to_walls()))}}
 
     def heat_to_walls(self) -> np.ndarray:
         """Heat (walls,) [J] that each wall has taken so far (per metre of depth in 2D)."""

@@ -9,8 +9,9 @@ import numpy as np
 import warp as wp
 
 from warpsph.core.bound import Bound
+from warpsph.core.content import Content
 from warpsph.core.field import Field
-from warpsph.core.labels import Phase
+from warpsph.core.labels import Phase, Role
 from warpsph.core.lattice import Lattice
 from warpsph.core.launch import Launch
 from warpsph.core.materials import Material
@@ -33,6 +34,7 @@ from warpsph.terms.walls_on_device import hold_walls, profiles_of, walls_on_devi
 
 MOST_WALLS = 30  # a bit each
 DEFAULT_INTERVAL = 1.0e-3  # [s]
+HEAT_LOST = 1.0e-6  # relative: pairs exchange heat exactly, but for the rounding of their rates in single precision
 ROUNDING = 1.0e-3  # of the highest temperature that is given, by which one may be below 0 K
 NO_NUMBER = "a source, a film or an interval that is far too large, or somebody has set it; look at observers and parts"
 TOO_MUCH_TAKEN = (
@@ -230,6 +232,16 @@ class Conduction(Term):
     def wall_flux(self) -> wp.array:
         """Flux (walls,) [W/m^2] that leaves by each wall, beside what passes its film."""
         return self.arrays["wall_flux"]
+
+    def contents(self, model: Model, state: State) -> dict[str, Content]:
+        present = state.numpy("role") != Role.RESERVOIR
+        enthalpy = state.numpy("enthalpy").astype(float) - state.numpy("enthalpy_carry")
+        heat = (state.numpy("mass") * enthalpy)[present]
+        return {"heat": Content(float(np.sum(heat)), float(np.sum(np.abs(heat))), "J", HEAT_LOST)}
+
+    def gains(self, state: State) -> dict[str, dict[str, float | np.ndarray]]:
+        held, walls = float(np.sum(state.numpy("heat_held"))), float(np.sum(self.heat_to_walls()))
+        return {"heat": {"held particles": -held, "walls": -walls}}
 
     def heat_to_walls(self) -> np.ndarray:
         """Heat (walls,) [J] that each wall has taken so far (per metre of depth in 2D).

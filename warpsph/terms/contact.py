@@ -18,6 +18,7 @@ CONTACT_REACH = 2.6
 class Contact(Term):
     """Different bodies press on each other; not needed with a fluid, whose pressure does so."""
 
+    keeps_momentum = True
     provides = ("contact",)
     needs = ("elasticity",)
     follows = ("elasticity",)

@@ -72,6 +72,7 @@ class DeltaFluid(Term):
         require(self, "background_pressure", stiff, allowed)
         require(self, "exponent", 1.0 <= number(self.exponent) <= 10.0, "from 1, linear, to 10")
 
+    keeps_momentum = True
     provides = ("a flow",)
     needs = ("second-order motion",)
 

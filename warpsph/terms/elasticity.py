@@ -85,6 +85,7 @@ class Elasticity(Term):
         )
         require(self, "hourglass", 0.0 <= number(self.hourglass) < np.inf, "zero or positive")
 
+    keeps_momentum = True
     provides = ("elasticity",)
     needs = ("forces",)
     follows = ("fluid", "density", "a change of phase", "surface tension")

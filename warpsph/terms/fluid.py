@@ -42,6 +42,7 @@ class Fluid(WeaklyCompressible):
 
     tension: bool = False
 
+    keeps_momentum = True
     provides = ("fluid", "a flow")
     needs = ("forces", "density")
     follows = ("density",)

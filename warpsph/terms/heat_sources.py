@@ -83,6 +83,9 @@ class HeatSources(Term):
                 raise InputError(f"HeatSources: no particle within {support:.4g} m of the source at ({place}) m")
         return {}
 
+    def gains(self, state: State) -> dict[str, dict[str, float | np.ndarray]]:
+        return {"heat": {"sources": float(np.sum(self.heat_given.numpy()))}}
+
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"support": model.the(Conduction).lattice(model).support, "smoothing": model.the(Conduction).smoothing}
 

@@ -45,6 +45,7 @@ class PairPotential(Term):
         require(self, "repulsion_exponent", isinstance(alpha, int) and alpha > beta, "a whole number above beta")
         require(self, "cutoff", self.rest_length < number(self.cutoff) < np.inf, f"above {self.rest_length:.4g} m")
 
+    keeps_momentum = True
     provides = ("pair potential",)
     needs = ("precise motion",)
 

@@ -5,9 +5,11 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from warpsph.core.content import Content
 from warpsph.core.field import Field, Value
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
+from warpsph.core.momentum import mass_by_id, momentum
 from warpsph.core.motion import Motion
 from warpsph.core.particles import Particles
 from warpsph.core.periodic import box_constants
@@ -28,6 +30,7 @@ class PreciseMotion(Term):
     velocity in single precision, for the neighbour list, pictures and files, follow.
     """
 
+    keeps_momentum = True
     provides = ("motion", "forces", "precise motion")
 
     id = Motion.id
@@ -51,6 +54,9 @@ class PreciseMotion(Term):
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         return {"precise_gravity": wp.vec3d(*model.gravity)} | box_constants(model.periodic)
+
+    def contents(self, model: Model, state: State) -> dict[str, Content]:
+        return {"mass": mass_by_id(state)} | momentum(model, state, state.numpy("precise_velocity"))
 
     def wrap(self, launch: Launch) -> None:
         launch(wrap_precisely)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import warp as wp
 
+from warpsph.core.content import Content
 from warpsph.core.field import Field
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
@@ -21,6 +22,7 @@ from warpsph.terms.conduction import Conduction
 from warpsph.terms.heat_wall import SLACK, HeatWall, refuse_misfits
 
 SMOOTHING_KERNEL = "cubic_spline"
+LOST = 1.0e-6  # relative: pairs exchange exactly, but for the rounding of their rates in single precision
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,6 +66,10 @@ class Solute(Term):
 
     def bounded_axes(self, model: Model) -> tuple[int, ...]:
         return axes_across(*(wall.normal for wall in self.walls))
+
+    def contents(self, model: Model, state: State) -> dict[str, Content]:
+        solute = float(np.sum(state.numpy("solute_mass")))
+        return {"solute": Content(solute, solute, "kg", LOST)}
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         scale = normalisation(SMOOTHING_KERNEL, model.dimension, model.support)

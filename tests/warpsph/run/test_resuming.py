@@ -46,6 +46,8 @@ def test_a_resumed_run_has_the_bits_of_one_that_was_never_stopped(case, device, 
     again = run(case, parts, 1.5 * case.duration, device, resume=beside(parts))
     assert different(whole, parts) == []
     assert (again.time, again.steps, again.events) == (end.time, end.steps, end.events)
+    assert again.ledgers == end.ledgers
+    assert [str(ledger) for ledger in end.ledgers if not ledger.closes] == []
     assert again.positions.tobytes() == end.positions.tobytes()
     assert [name for name, field in end.fields.items() if again.fields[name].tobytes() != field.tobytes()] == []
 
