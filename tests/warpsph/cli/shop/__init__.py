@@ -52,7 +52,12 @@ class FakeSimulation:
             raise DivergenceError("particle 7 at (0.1, 0.2, 0) m: speed 1e9 m/s at 0.5 s")
         summary = {"computed on": "cpu, 2 threads, in 0.001 s", "at the end": "level 0.400 m"}
         return SimpleNamespace(
-            status=status, stopped_by=stopped_by, time=float(times[-1]), summary=summary, events=events
+            status=status,
+            stopped_by=stopped_by,
+            steps=len(times),
+            time=float(times[-1]),
+            summary=summary,
+            events=events,
         )
 
 
