@@ -1,5 +1,6 @@
 """Writing results: the frames as VTKHDF and, beside them, what made them and what was measured on the way."""
 
+import atexit
 import json
 import os
 from collections.abc import Iterator
@@ -11,30 +12,36 @@ import numpy as np
 
 from warpsph.core.quantity import Quantity, undeclared
 from warpsph.errors import InputError, WarpsphError
+from warpsph.files.beside import cannot_be_written
 from warpsph.files.continuation import Counts, cut_back, refuse_other_run
 from warpsph.files.described import attributes_of
+from warpsph.files.disk import Disk
+from warpsph.files.placement import Placement
 from warpsph.files.results import ResultFile
 from warpsph.files.vtkhdf import STEPS_PER_CHUNK, append_step, commit, create_layout, extendable, put
 
 TIME = Quantity("time", "s")
+ROOM = 2048  # bytes by which the provenance may grow in its place, for which a full disk has no other
 
 
 class ResultWriter:
-    """Writes one result file; after every frame and when it is killed the file is readable.
+    """Writes one result file, which appears with its first frame; from then on it is readable, whatever happens.
 
     Groups: ``/VTKHDF`` (the frames), ``/warpsph/parameters`` and ``/warpsph/provenance`` (JSON texts),
     ``/warpsph/diagnostics/<name>`` (float64, one row a time) and ``/warpsph/events/{time,text}``, of which the
     attribute ``Rows`` counts what is whole.
 
     Args:
-        path: the file to make.
+        path: the file to make; where it is a symbolic link, what it points to.
         parameters: the resolved case.
         provenance: what made the file; its ``status`` is "unfinished" until :meth:`finish`.
-        overwrite: whether an existing file is replaced.
+        overwrite: whether an existing file is replaced, when the first frame is whole.
         quantities: what the fields of the frames are called and in which unit; pictures read it.
 
     Raises:
-        InputError: the file exists and ``overwrite`` is false, or it cannot be made; an older file stays as it was.
+        InputError: the file exists and ``overwrite`` is false, it cannot be made, or another run writes it; an older
+            file stays as it was.
+        WarpsphError: the disk is full or broken; an older file stays as it was.
     """
 
     def __init__(
@@ -51,26 +58,32 @@ class ResultWriter:
         places = enumerate((quantities or {}).items())
         self._attributes = {name: attributes_of(quantity, place) for place, (name, quantity) in places}
         self._provenance = {"status": "unfinished"} | provenance
-        _check_target(self.path, overwrite)
-        unfinished = self.path.with_name(f".{self.path.name}.{os.getpid()}")
+        self._failed = ""
+        self._place = Placement(self.path, overwrite)
+        self._disk = Disk(self._place.descriptor)
+        self._file = h5py.File(self._disk, "w")
+        atexit.register(self.close)  # HDF5 would write through an interpreter that has gone
         try:
-            with h5py.File(unfinished, "w", locking=False) as file:
-                create_layout(file)
-                group = file.create_group("warpsph")
-                group["parameters"] = _as_json(parameters)
-                group["provenance"] = _as_json(self._provenance)
-                extendable(group, "diagnostics/time", (), "f8", STEPS_PER_CHUNK)
-                group["diagnostics/time"].attrs.update(attributes_of(TIME))
-                extendable(group, "events/time", (), "f8", STEPS_PER_CHUNK)
-                extendable(group, "events/text", (), h5py.string_dtype(), STEPS_PER_CHUNK)
-                for series in (group["diagnostics"], group["events"]):
-                    series.attrs["Rows"] = np.int64(0)
-            os.replace(unfinished, self.path)
-            # without a lock, so that a run can be looked at while it goes on
-            self._file = h5py.File(self.path, "r+", locking=False)
-        except OSError as error:
-            unfinished.unlink(missing_ok=True)
-            raise InputError(f"{self.path}: cannot be written: {error.strerror or error}") from None
+            self._begin(parameters)
+            self._file.flush()
+            self._disk.commit()
+        except BaseException as error:
+            self.close()
+            if isinstance(error, OSError):
+                raise cannot_be_written(self.path, error) from None
+            raise
+
+    def _begin(self, parameters: dict) -> None:
+        create_layout(self._file)
+        group = self._file.create_group("warpsph")
+        group["parameters"] = _as_json(parameters)
+        self._keep_provenance()
+        extendable(group, "diagnostics/time", (), "f8", STEPS_PER_CHUNK)
+        group["diagnostics/time"].attrs.update(attributes_of(TIME))
+        extendable(group, "events/time", (), "f8", STEPS_PER_CHUNK)
+        extendable(group, "events/text", (), h5py.string_dtype(), STEPS_PER_CHUNK)
+        for series in (group["diagnostics"], group["events"]):
+            series.attrs["Rows"] = np.int64(0)
 
     @classmethod
     def continued(cls, path: str | Path, parameters: dict, counts: Counts) -> "ResultWriter":
@@ -84,17 +97,24 @@ class ResultWriter:
         Raises:
             InputError: it is the file of another run, or holds less than the checkpoint.
         """
-        before = ResultFile(path)
-        refuse_other_run(before, counts)
         writer = cls.__new__(cls)
-        writer.path, writer._attributes = before.path, {}
-        writer._provenance = before.provenance | {"status": "unfinished"}
+        writer.path, writer._attributes, writer._failed = Path(path), {}, ""
+        writer._place = Placement(writer.path, overwrite=True, existing=True)
+        try:
+            before = ResultFile(path)
+            refuse_other_run(before, counts)
+            writer._provenance = before.provenance | {"status": "unfinished"}
+            writer._disk = Disk(writer._place.descriptor)
+            writer._file = h5py.File(writer._disk, "r+")
+        except BaseException:
+            writer._place.close()
+            raise
+        atexit.register(writer.close)
         with writer._writing():
-            writer._file = h5py.File(before.path, "r+", locking=False)
             cut_back(writer._file, counts)
-            writer._file["warpsph/parameters"][()] = _as_json(parameters)
-            writer._file["warpsph/provenance"][()] = _as_json(writer._provenance)
-            writer._file.flush()
+            del writer._file["warpsph/parameters"]
+            writer._file["warpsph/parameters"] = _as_json(parameters)
+            writer._keep_provenance()
         return writer
 
     def counts(self) -> dict[str, str | int]:
@@ -153,15 +173,26 @@ class ResultWriter:
             commit(events, "Rows", row + 1)
 
     def finish(self, **provenance) -> None:
-        """Add what is known only at the end, for example ``wall_time``, ``steps`` and ``status``."""
+        """Add what is known only at the end, for example ``wall_time``, ``steps`` and ``status``.
+
+        Where a writing has failed before, the reason is added too, and it is no error if the disk has no room for that.
+        """
         self._provenance |= provenance
-        with self._writing():
-            self._file["warpsph/provenance"][()] = _as_json(self._provenance)
-            self._file.flush()
+        try:
+            with self._writing(appears=False):
+                self._keep_provenance()
+                self._file.flush()
+            os.fsync(self._place.descriptor)
+        except (OSError, WarpsphError) as error:
+            if not self._failed:
+                raise error if isinstance(error, WarpsphError) else self._trouble(error) from None
 
     def close(self) -> None:
-        """Close the file; nothing can be written afterwards."""
+        """Close the file; nothing can be written afterwards. A file without a frame is not kept."""
+        atexit.unregister(self.close)
+        self._disk.sink()
         self._file.close()
+        self._place.close()
 
     def __enter__(self) -> "ResultWriter":
         return self
@@ -170,21 +201,52 @@ class ResultWriter:
         self.close()
 
     @contextmanager
-    def _writing(self) -> Iterator[None]:
-        """A full disk becomes one line."""
+    def _writing(self, appears: bool = True) -> Iterator[None]:
+        """What is written inside is in the file as a whole or not at all; a full disk becomes one line."""
         try:
+            self._place.refuse_removed()
             yield
+            self._file.flush()
+            self._disk.commit()
+            if appears:
+                self._place.appear()
+        except BaseException as error:
+            failure = self._disk.failure or (error if isinstance(error, OSError) else None)
+            self._take_back()
+            if failure is not None:
+                raise self._trouble(failure) from None
+            raise
+
+    def _take_back(self) -> None:
+        """Go back to what was whole, in the file and in HDF5's memory of it."""
+        self._disk.sink()
+        self._file.close()
+        try:
+            self._disk.roll_back()
         except OSError as error:
-            raise WarpsphError(f"{self.path}: writing failed, the frames before this are safe: {error}") from None
+            raise WarpsphError(f"{self.path}: writing failed, and the file may be damaged: {_reason(error)}") from None
+        self._disk = Disk(self._place.descriptor)
+        self._file = h5py.File(self._disk, "r+")
+
+    def _trouble(self, error: OSError) -> WarpsphError:
+        self._failed = _reason(error)
+        self._provenance["reason"] = self._failed
+        if not self._place.appeared:
+            return cannot_be_written(self.path, error)
+        return WarpsphError(f"{self.path}: writing failed, the frames before this are safe: {self._failed}")
+
+    def _keep_provenance(self) -> None:
+        """Write the provenance in its place, or where it has outgrown that, in a new one."""
+        group, text = self._file["warpsph"], _as_json(self._provenance).encode()
+        if "provenance" in group and group["provenance"].dtype.itemsize < len(text):
+            del group["provenance"]
+        if "provenance" not in group:
+            group.create_dataset("provenance", (), h5py.string_dtype("utf-8", len(text) + ROOM))
+        group["provenance"][()] = text
 
 
-def _check_target(path: Path, overwrite: bool) -> None:
-    if path.is_dir():
-        raise InputError(f"{path}: is a folder; give the name of a file")
-    if not path.parent.is_dir():
-        raise InputError(f"{path}: there is no folder {path.parent}; make it first")
-    if path.exists() and not overwrite:
-        raise InputError(f"{path}: exists already; choose another name, or give overwrite=True to replace it")
+def _reason(error: OSError) -> str:
+    return error.strerror or str(error)
 
 
 def _as_json(values: dict) -> str:

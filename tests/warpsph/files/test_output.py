@@ -115,7 +115,7 @@ def test_failed_creation_leaves_nothing(path, monkeypatch):
 
     monkeypatch.setattr("warpsph.files.output.create_layout", full_disk)
     for target in (path, path.with_name("new.vtkhdf")):
-        with pytest.raises(InputError, match="No space left on device"):
+        with pytest.raises(WarpsphError, match="No space left on device"):
             ResultWriter(target, {}, {}, overwrite=True)
     assert path.read_bytes() == before
     assert list(path.parent.iterdir()) == [path]

@@ -109,7 +109,8 @@ def test_random_damage_never_escapes(path):
 def test_a_file_without_frames(tmp_path):
     """If it failed, a run that ended before its first frame could not even be asked what it was."""
     path = tmp_path / "run.vtkhdf"
-    ResultWriter(path, {"scenario": "made_up"}, {}).close()
+    with ResultWriter(path, {"scenario": "made_up"}, {}) as writer:
+        writer.write_event(0.0, "nothing to begin with")
     result = ResultFile(path)
     assert result.parameters["scenario"] == "made_up"
     assert len(result.times) == 0

@@ -201,7 +201,8 @@ def test_unwritable_pictures(result, tmp_path, monkeypatch):
 def test_a_file_without_frames_is_refused(tmp_path):
     """If it failed, a run that ended at once would end the picture in a traceback."""
     path = tmp_path / "run.vtkhdf"
-    ResultWriter(path, {}, {}).close()
+    with ResultWriter(path, {}, {}) as writer:
+        writer.write_event(0.0, "nothing to begin with")
     for render in (render_still, render_movie, plot_diagnostics):
         with pytest.raises(InputError, match=r"holds no (frame|diagnostics)"):
             render(ResultFile(path), tmp_path / ("picture.mp4" if render is render_movie else "picture.png"))
