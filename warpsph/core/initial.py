@@ -7,6 +7,7 @@ from warpsph.core.field import Field, Value, declared
 from warpsph.core.labels import Phase
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles
+from warpsph.core.placement import refuse_misplaced
 from warpsph.core.state import State
 from warpsph.errors import InputError
 from warpsph.nearest import did_you_mean
@@ -18,10 +19,11 @@ def initial_state(model: Model, particles: Particles, device: wp.Device) -> Stat
     """The fields and values of all terms of a composed model.
 
     Raises:
-        InputError: a material is unknown, two terms declare one name differently, or the particles were given values
-            that no term of the case knows.
+        InputError: a material is unknown, single precision or the periodic box does not suit the places, two terms
+            declare one name differently, or the particles were given values that no term of the case knows.
     """
     fields = _declared_fields(model)
+    refuse_misplaced(model, particles)
     for name in particles.given:
         if name in ("id", "role", "material", "position"):
             raise InputError(

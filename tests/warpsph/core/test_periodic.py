@@ -185,4 +185,4 @@ def test_what_has_one_place_is_refused_where_the_box_is_periodic(axis, terms):
 def test_a_box_of_too_many_cells_is_shown_as_it_is():
     """The particles' own corners would hide that it is the period which is too long."""
     with pytest.raises(InputError, match=r"the box from \(0, .*\) to \(1e\+09, .*\) m has"):
-        simulation_of(points("inside", 2), PeriodicBox((0.0, 0.0, 0.0), (1e9, 0.0, 0.0)), 2)
+        simulation_of(points("inside", 2) + np.array([9.0, 0.0, 0.0]), PeriodicBox((0.0, 0.0, 0.0), (1e9, 0.0, 0.0)), 2)
