@@ -45,6 +45,10 @@ def _reference_density(model: Model) -> float:
     return model.the(CorrectedFluid).reference_density
 
 
+def _has_elasticity(model: Model) -> bool:
+    return any("elasticity" in term.provides for term in model.terms)
+
+
 @dataclass(frozen=True, eq=False)
 class CorrectedFluid(WeaklyCompressible):
     """Weakly compressible flow with gradients that are exact for linear fields, in two sweeps a step.
@@ -113,6 +117,8 @@ class CorrectedFluid(WeaklyCompressible):
         mass = self.particle_mass(model)
         own = np.array([material.density for material in model.materials])[fields["material"]]
         moves = np.isin(fields["role"], (*FLUID_ROLES, Role.RESERVOIR)) & particles.flows
+        free = (fields["role"] == Role.FREE) & particles.flows
+        self._refuse_loose_solids(model, bool(np.any(fields["phase"][free] == Phase.SOLID)))
         self._refuse_densities(np.unique(own[moves & (fields["phase"] != Phase.SOLID)]))
         return {
             "mass": np.where(moves, own * model.cell_volume, fields["mass"]),
@@ -122,6 +128,13 @@ class CorrectedFluid(WeaklyCompressible):
             "ghost_velocity": fields["velocity"],
             "density": np.where(moves, own, self.reference_density) * (1.0 + fields["compression"]),
         }
+
+    def _refuse_loose_solids(self, model: Model, there: bool) -> None:
+        """Solid particles that are ``there``, or will be where something freezes, are held together by bonds only."""
+        freezes = next((type(term).__name__ for term in model.terms if "a change of phase" in term.provides), None)
+        if (there or freezes) and not _has_elasticity(model):
+            found = f"{freezes} makes solids" if freezes else "some free particles are solid"
+            raise InputError(f"CorrectedFluid: {found}, but nothing holds them together: add Elasticity to the terms")
 
     def _refuse_densities(self, flowing: np.ndarray) -> None:
         """Densities (n,) [kg/m^3] of what flows: one is the reference, and they do not differ too much."""
@@ -157,7 +170,7 @@ class CorrectedFluid(WeaklyCompressible):
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         dx = model.spacing
         fastest = self.sound_speed * float(np.sqrt(self.reference_density / self.lightest(model, moving)))
-        with_solids = any("elasticity" in term.provides for term in model.terms)
+        with_solids = _has_elasticity(model)
         sound_step = SOLID_STEP if with_solids else SURFACE_STEP if self.free_surface else SOUND_STEP
         steps = {"sound": sound_step * dx / fastest}
         if (thickest := self._largest_diffusivity([model.materials[m] for m in moving], with_solids)) > 0.0:

@@ -7,14 +7,14 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.faces import way_to_box
-from warpsph.core.labels import Role
+from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import fluid_material, solid_material
 from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.periodic import PeriodicBox
 from warpsph.errors import InputError
 from warpsph.run.simulation import Simulation
-from warpsph.terms import CorrectedFluid
+from warpsph.terms import Conduction, CorrectedFluid, PhaseChange, WholePhases
 
 SOUND = 10.0
 
@@ -219,6 +219,23 @@ def test_a_wall_whose_face_is_unknown_is_refused():
     particles.add(lattice((0.0, -0.15), (1.0, 0.0), 0.05), Role.DUMMY, "wall")
     with pytest.raises(InputError, match="to_surface"):
         Simulation(Executor("cpu"), flow(), particles)
+
+
+@pytest.mark.parametrize(
+    ("phase", "terms", "what"),
+    [
+        (Phase.SOLID, (), "some free particles are solid"),
+        (Phase.LIQUID, (Conduction(), PhaseChange()), "PhaseChange makes solids"),
+        (Phase.LIQUID, (Conduction(), WholePhases()), "WholePhases makes solids"),
+    ],
+)
+def test_solids_that_nothing_holds_together_are_refused(phase, terms, what):
+    """They would fall apart like dust, each borne by the fluid alone, and pass through each other."""
+    model = flow()
+    particles = Particles()
+    particles.add(lattice((0.0, 0.0), (0.5, 0.5), 0.05), Role.FREE, "fluid", phase=phase)
+    with pytest.raises(InputError, match=f"CorrectedFluid: {what}, but nothing holds them together: add Elasticity"):
+        Simulation(Executor("cpu", 1), replace(model, terms=(*model.terms, *terms)), particles)
 
 
 @pytest.mark.parametrize("answer", ["no", None, 2])
