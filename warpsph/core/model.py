@@ -27,7 +27,8 @@ class Model:
         materials: the materials, each with a name of its own.
         terms: physics and parts of the machine, instances of :class:`warpsph.core.term.Term`, in any order.
         support_ratio: support radius of the smoothing kernels over the spacing, H / dx.
-        gravity: [m/s^2].
+        gravity: (3,) [m/s^2], on all that moves freely. Along a periodic axis it is a push: it drives a flow between
+            walls (Poiseuille), and lets everything fall for ever where there is none. The pressure at walls follows it.
         periodic: the box that is periodic, if there is one.
 
     Raises:
