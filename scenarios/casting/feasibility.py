@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from warpsph.core.capacity import refuse_too_many
 from warpsph.core.model import GRAVITY
 from warpsph.errors import InputError
 from warpsph.scenarios.casting.parameters import WALL_LAYERS, CastingParameters
@@ -20,11 +21,13 @@ BULGE = 0.05  # of a shell between two rolls, over their distance
 
 def refuse_what_cannot_hold(case: CastingParameters) -> None:
     """Refuse a nozzle in the shell or the mould, a speed of sound too low for the depth or too high for the viscosity,
-    more water than there is room for, a shell too thin for the spacing, or too soft for the pressure.
+    more particles or water than there is room for, a shell too thin for the spacing, or too soft for the pressure.
 
     Raises:
         InputError: which parameter, and the value that would do.
     """
+    strand = case.half_width ** (case.dimension - 1) * case.level / case.spacing**case.dimension
+    refuse_too_many(f"spacing = {case.spacing:g}: a strand", strand)  # before the reckoning, which takes seconds
     _refuse_wide_nozzle(case)
     lowest = float(np.sqrt(GRAVITY * case.level / COMPRESSION))
     if case.sound_speed < lowest:

@@ -16,6 +16,7 @@ WALL_LAYERS = 3  # of the nozzle
 COOLING_WATER = 373.15  # [K]
 SPRAY_TEMPERATURE = 298.15  # [K]
 SPRAY_BOILED = 374.15  # [K]
+BOILING_HEAT = float(WATER.enthalpy(SPRAY_BOILED) - WATER.enthalpy(SPRAY_TEMPERATURE))  # [J/kg]
 
 
 class CastingParameters(ConductingScenario):
@@ -183,7 +184,7 @@ class CastingParameters(ConductingScenario):
     @property
     def spray_heat_flux(self) -> float:
         """Heat flux [W/m^2] by which the water boils away."""
-        return self.spray_flux * float(WATER.enthalpy(SPRAY_BOILED) - WATER.enthalpy(SPRAY_TEMPERATURE))
+        return self.spray_flux * BOILING_HEAT
 
     def surface_flux(self, temperature: float, age: float) -> float:
         """Heat flux [W/m^2] out of the shell of surface ``temperature`` [K], ``age`` [s] after the meniscus."""

@@ -8,7 +8,7 @@ from warpsph.core.materials import Material
 from warpsph.errors import InputError
 
 STABLE = 0.4  # step over the square of a cell's edge, times the diffusivity
-MOST_STEPS = 150_000  # some ten seconds
+MOST_STEPS = 100_000  # some ten seconds
 FEWEST_CELLS = 10
 
 

@@ -38,7 +38,7 @@ class HeatGaussian(ConductingScenario):
     support_ratio: float = parameter(3.0, "", "support of the smoothing kernel over the spacing", ge=2.0, le=6.0)
     diffusivity: float = parameter(1.0e-3, "m^2/s", "thermal diffusivity", gt=0, le=1.0)
     width: float = parameter(0.08, "m", "standard deviation of the spot at the start", ge=0.01, le=1.0)
-    rise: float = parameter(1000.0, "K", "rise of temperature in the middle at the start", gt=0, le=1e4)
+    rise: float = parameter(1000.0, "K", "rise of temperature in the middle at the start", ge=0.01, le=1e4)
 
     def exact(self, position: np.ndarray, time: float) -> np.ndarray:
         """Temperature (n,) [K] at ``position`` (n, 3) [m] in a plate without edges."""

@@ -46,7 +46,7 @@ def refuse_too_many(what: str, count: float) -> None:
         InputError: as :func:`refuse_more_than_fits` does.
     """
     if count * LEAST_BYTES > 1.0e6:  # a few need no look
-        refuse_more_than_fits(f"{what}: {count:.3g} particles", count * LEAST_BYTES)
+        refuse_more_than_fits(f"{what} of {count:.3g} particles", count * LEAST_BYTES)
 
 
 def in_bytes(size: float) -> str:
