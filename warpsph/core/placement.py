@@ -59,8 +59,8 @@ def _refuse_misfit(box: PeriodicBox, axis: int, places: np.ndarray, spacing: flo
         name = "xyz"[axis]
         what = "a gap" if misfit > 0.0 else "an overlap"
         raise InputError(
-            f"PeriodicBox: a length of {box.edges[axis]:.6g} m along {name} leaves {what} of {abs(misfit):.3g} m at its "
-            f"border: {len(rows)} rows {pitch:.6g} m apart fill {box.edges[axis] - misfit:.6g} m; give that length"
+            f"PeriodicBox: a length of {box.edges[axis]:.6g} m along {name} leaves {what} of {abs(misfit):.3g} m at "
+            f"its border: {len(rows)} rows {pitch:.6g} m apart fill {box.edges[axis] - misfit:.6g} m; give that length"
         )
 
 
