@@ -1,5 +1,7 @@
 """Watching over the particles at the end of a step, and keeping the first offence of a run as it was."""
 
+from collections.abc import Callable
+
 import warp as wp
 
 from warpsph.kernels.basics.labels import Role
@@ -16,8 +18,12 @@ BONDS = wp.constant(-2)
 
 NO_ID = wp.constant(2**31 - 1)
 
+SLOTS = 6  # fields at which one launch looks
 WHO = 8  # integers that are kept of an offence
 NUMBERS = 7  # real numbers that are kept of it, before those of the bounded fields
+
+
+vec_slots = wp.types.vector(SLOTS, float)
 
 
 @wp.struct
@@ -90,34 +96,63 @@ def keep_offence(
     offence.state[0] = NOTED
 
 
-@wp.kernel
-def watch(
-    first: int,
-    role: wp.array[int],
-    position: wp.array[wp.vec3],
-    velocity: wp.array[wp.vec3],
-    reference: wp.array[wp.vec3],
-    farthest_squared: float,
-    speed_limit_squared: float,
-    bounded: wp.array[Bounded],
-    outdated: wp.array[int],
-    offence: Offence,
-):
-    """Raise ``outdated`` where a particle is farther from its ``reference`` position than allowed, or beyond a bound.
+@wp.func
+def within(value: float, lower: float, upper: float) -> bool:
+    return value > lower and value < upper
 
-    ``farthest_squared`` [m^2], ``speed_limit_squared`` [m^2/s^2]. An offence renews the list because what comes first
-    there is :func:`note_offence`, before anything has moved; after that the run is lost, and no list is renewed.
-    """
-    i = wp.tid() + first
-    if role[i] != Role.RESERVOIR:
-        none = bounded.shape[0] + 2
-        x = position[i]
-        d = x - reference[i]
-        offends = offending_quantity(i, x, velocity[i], speed_limit_squared, bounded, none) < none
-        if (offends or wp.dot(d, d) > farthest_squared) and offence.state[0] == 0:
-            outdated[0] = 1
-            if offends:
-                offence.state[0] = SEEN
+
+def _make(fields: int) -> Callable[..., None]:
+    def watch(
+        first: int,
+        role: wp.array[int],
+        position: wp.array[wp.vec3],
+        velocity: wp.array[wp.vec3],
+        reference: wp.array[wp.vec3],
+        farthest_squared: float,
+        speed_limit_squared: float,
+        lower: vec_slots,
+        upper: vec_slots,
+        field_0: wp.array[float],
+        field_1: wp.array[float],
+        field_2: wp.array[float],
+        field_3: wp.array[float],
+        field_4: wp.array[float],
+        field_5: wp.array[float],
+        outdated: wp.array[int],
+        offence_state: wp.array[int],
+    ):
+        """Raise ``outdated`` where a particle is farther from its ``reference`` position than allowed or out of bounds.
+
+        ``farthest_squared`` [m^2], ``speed_limit_squared`` [m^2/s^2]. An offence renews the list because what comes
+        first there is :func:`note_offence`, before anything has moved; after that no list is renewed for it.
+        """
+        i = wp.tid() + first
+        if role[i] != Role.RESERVOIR:
+            d = position[i] - reference[i]
+            u = velocity[i]
+            sound = wp.dot(u, u) < speed_limit_squared
+            if wp.static(fields > 0):
+                sound = sound and within(field_0[i], lower[0], upper[0])
+            if wp.static(fields > 1):
+                sound = sound and within(field_1[i], lower[1], upper[1])
+            if wp.static(fields > 2):
+                sound = sound and within(field_2[i], lower[2], upper[2])
+            if wp.static(fields > 3):
+                sound = sound and within(field_3[i], lower[3], upper[3])
+            if wp.static(fields > 4):
+                sound = sound and within(field_4[i], lower[4], upper[4])
+            if wp.static(fields > 5):
+                sound = sound and within(field_5[i], lower[5], upper[5])
+            if not (sound and wp.dot(d, d) <= farthest_squared) and offence_state[0] == 0:
+                outdated[0] = 1
+                if not (sound and wp.isfinite(wp.dot(position[i], position[i]))):
+                    offence_state[0] = SEEN
+
+    return watch
+
+
+# By the number of fields that are bounded: a loop over an array of structures would take three times as long.
+WATCH = [wp.Kernel(_make(fields), key=f"watch_{fields}", module=wp.get_module(__name__)) for fields in range(SLOTS + 1)]
 
 
 @wp.kernel

@@ -17,12 +17,14 @@ from warpsph.kernels.basics.guard import (
     NEIGHBOURS,
     NOTED,
     NUMBERS,
+    SLOTS,
+    WATCH,
     WHO,
     Bounded,
     Offence,
     note_offence,
     note_overflow,
-    watch,
+    vec_slots,
 )
 from warpsph.nearest import did_you_mean
 
@@ -92,6 +94,7 @@ class Guard:
         self.constants: dict[str, Any] = {
             "speed_limit_squared": speed_limit**2,
             "bounded": wp.array(bounded, dtype=Bounded, device=state.device),
+            "watched": _slots(list(self.bounds.values()), [state.arrays[name] for name in self.bounds], state.device),
         }
         offence: Any = Offence()
         offence.state = wp.zeros(1, dtype=int, device=state.device)
@@ -109,7 +112,7 @@ class Guard:
 
     def find_offender(self, launch: Launch) -> Offender | None:
         """Look at the present state as well, from the host; the first offender of the run, if there is one."""
-        launch(watch)
+        watch(launch)
         self.note(launch)
         offence = self._state.offence
         if int(offence.state.numpy()[0]) != NOTED:
@@ -144,6 +147,12 @@ class Guard:
         return tuple(readings)
 
 
+def watch(launch: Launch) -> None:
+    """Look at the particles: whether the neighbour list is to be renewed, and whether all is within its bounds."""
+    for fields, arguments in launch.find("watched"):
+        launch(WATCH[fields], offence_state=launch.find("offence").state, **arguments)
+
+
 def note_row(launch: Launch, quantity: int, longest: wp.array, capacity: int) -> None:
     """Keep whose row was too short, if ``longest`` (1,) says that one was longer than its ``capacity``."""
     launch.whole(note_overflow, count=launch.count, quantity=quantity, longest=longest, capacity=capacity)
@@ -171,6 +180,20 @@ def _bounds(model: Model, state: State) -> dict[str, Bound]:
             lower, upper = max(bound.lower, other.lower), min(bound.upper, other.upper)
             bounds[name] = Bound(lower, upper, bound.cause or other.cause)
     return bounds
+
+
+def _slots(bounds: list[Bound], values: list[wp.array], device: wp.Device) -> list[tuple[int, dict[str, Any]]]:
+    """How many fields each launch looks at, and its arguments for them."""
+    launches = []
+    empty = wp.zeros(0, dtype=float, device=device)
+    for begin in range(0, max(len(bounds), 1), SLOTS):
+        mine, arrays = bounds[begin : begin + SLOTS], values[begin : begin + SLOTS]
+        unused = SLOTS - len(mine)
+        arguments: dict[str, Any] = {f"field_{k}": array for k, array in enumerate(arrays + [empty] * unused)}
+        arguments["lower"] = vec_slots(*(bound.lower for bound in mine), *[0.0] * unused)
+        arguments["upper"] = vec_slots(*(bound.upper for bound in mine), *[0.0] * unused)
+        launches.append((len(mine), arguments))
+    return launches
 
 
 def _on_device(values: wp.array, bound: Bound) -> Any:

@@ -7,13 +7,13 @@ import warp as wp
 
 from warpsph.core.content import Content
 from warpsph.core.field import Field
+from warpsph.core.guard import watch
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.momentum import mass_by_id, momentum
 from warpsph.core.periodic import box_constants
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.kernels.basics.guard import watch
 from warpsph.kernels.basics.motion import advance_clock, drift
 from warpsph.kernels.neighbours.wrapping import wrap
 
@@ -48,4 +48,4 @@ class Motion(Term):
         launch(drift)
 
     def watch(self, launch: Launch) -> None:
-        launch(watch)
+        watch(launch)

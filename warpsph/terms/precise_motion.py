@@ -7,6 +7,7 @@ import warp as wp
 
 from warpsph.core.content import Content
 from warpsph.core.field import Field, Value
+from warpsph.core.guard import watch
 from warpsph.core.launch import Launch
 from warpsph.core.model import Model
 from warpsph.core.momentum import mass_by_id, momentum
@@ -16,7 +17,6 @@ from warpsph.core.periodic import box_constants
 from warpsph.core.state import State
 from warpsph.core.term import Term
 from warpsph.errors import InputError
-from warpsph.kernels.basics.guard import watch
 from warpsph.kernels.basics.motion import advance_clock
 from warpsph.kernels.neighbours.wrapping import wrap_precisely
 from warpsph.kernels.particles.motion import drift_precisely, fall_precisely, keep_step, kick_precisely, show
@@ -73,6 +73,6 @@ class PreciseMotion(Term):
 
     def watch(self, launch: Launch) -> None:
         launch(show)
-        launch(watch)
+        watch(launch)
         launch.whole(keep_step)
         launch.whole(advance_clock)
