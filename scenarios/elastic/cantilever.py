@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable
 from importlib.resources import files
 
 import numpy as np
+from pydantic import model_validator
 
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
@@ -22,6 +23,7 @@ from warpsph.run.simulation import Simulation
 from warpsph.terms import Elasticity
 
 FIRST_MODE = 1.8751040687  # k L of the first mode of a slender beam: cos(k L) cosh(k L) = -1
+SHORTEST = 4  # columns, of which one is held and two tell of the tip
 REFERENCE = "own spectral elements, large deflection"
 
 
@@ -44,6 +46,15 @@ class Cantilever(Scenario):
 
     support_ratio: float = parameter(1.5, "", "support of the smoothing kernel over the spacing", ge=1.5, le=4.0)
     hourglass: float = parameter(0.1, "", "strength of the hourglass control", ge=0.0, le=10.0)
+
+    @model_validator(mode="after")
+    def _check_length(self) -> "Cantilever":
+        if self.length < SHORTEST * self.spacing:
+            raise ValueError(
+                f"thickness = {self.thickness}: a plate as short as length {self.length} m has less than {SHORTEST} "
+                f"columns of {self.layers} layers; a longer or thinner plate, or more layers"
+            )
+        return self
 
     @property
     def spacing(self) -> float:

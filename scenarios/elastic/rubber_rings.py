@@ -8,6 +8,7 @@ from scipy.spatial import cKDTree
 
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
+from warpsph.core.capacity import refuse_too_many
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.materials import solid_material
@@ -68,6 +69,7 @@ class RubberRings(Scenario):
         """Particles (n, 3) [m] of a ring around the origin and their volumes (n,) [m^2]."""
         dx = self.spacing
         quarter = round(0.25 * np.pi * (self.inner_radius + self.outer_radius) / dx)  # of the particles of a layer
+        refuse_too_many("rubber_rings: two rings", 8.0 * quarter * self.layers)
         step = 0.5 * np.pi / quarter
         radius, angle = np.meshgrid(
             self.inner_radius + (np.arange(self.layers) + 0.5) * dx, (np.arange(4 * quarter) + 0.5) * step

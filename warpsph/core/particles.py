@@ -77,6 +77,7 @@ class Particles:
         if bad := int(np.sum(~np.all(np.isfinite(position), axis=1))):
             raise InputError(f"particles: position: {bad} of {len(position)} are not finite numbers")
         n = len(position)
+        refuse_too_many("particles: a block", n)
         given = {"velocity": velocity, "phase": phase} | fields
         self.blocks.append(
             Block(
