@@ -113,7 +113,7 @@ def _add_flow_forces(space: Space) -> Callable[..., None]:
                         if mu_j == 0.0:
                             mu = 0.0
                             slips = True
-                        r = wp.sqrt(r_squared) / flow.spacing
+                        r = wp.sqrt(wp.max(r_squared, nearest_squared)) / flow.spacing
                         if r < GUARD_RANGE:
                             guarded += d * (GUARD * c_squared * (1.0 / r - 1.0 / GUARD_RANGE))
                         depth = wp.length(to_surface[j])

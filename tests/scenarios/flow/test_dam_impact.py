@@ -39,6 +39,15 @@ def test_wave_arrives_in_time_and_nothing_escapes(device):
     assert all(check.passed for check in levels)
 
 
+@pytest.mark.parametrize("viscosity", [0.1, 10.0])
+def test_viscous_water_survives_the_impact(viscosity):
+    """Friction that acts on what hits a wall in the wrong direction would end in numbers that are none."""
+    series = DamImpact(rows=12, duration=0.7, viscosity=viscosity).run(device="cpu", threads=1).diagnostics
+    assert all(np.all(np.isfinite(values)) for values in series.values())
+    assert series["p1"].max() > 1.0
+    assert series["escaped"].max() == 0.0
+
+
 @pytest.mark.parametrize("given", [{"width": 0.6, "length": 0.3}, {"width": 0.01, "height": 10.0}], ids=str)
 def test_a_column_that_does_not_fit_is_refused(given):
     """Water beyond the end wall would stand in it, and fly apart at the first step."""

@@ -110,3 +110,12 @@ def test_what_comes_to_the_back_of_a_wall_is_not_shot_through_it(device):
     free = state["role"] == Role.FREE
     assert state["position"][free, 1].max() < -0.3
     assert np.linalg.norm(state["velocity"][free], axis=1).max() < 1.0
+
+
+def test_fluid_on_the_very_place_of_a_wall_particle_stays_a_number():
+    """What holds it off would divide by the distance, which is none, and the whole fluid be lost in a step or two."""
+    points = block((0.0, 0.0, 0.0), (1.0, 0.4, 0.0), 2)
+    points[0] = (-0.5 * SPACING, 0.5 * SPACING, 0.0)
+    simulation = tank_of(Executor("cpu", 1), points, (0.0, 0.0, 0.0), (0.0, -10.0, 0.0), 2)
+    simulation.run(0.02, 0.02)
+    assert np.all(np.isfinite(simulation.snapshot()["velocity"]))
