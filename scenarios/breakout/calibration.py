@@ -13,6 +13,7 @@ import numpy as np
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.cli.consoles import error_console
 from warpsph.cli.progress import shown_progress
+from warpsph.files.beside import hidden_until_whole
 from warpsph.run.result import Result
 from warpsph.scenarios.breakout.breakout import PUBLISHED_HOLE, Breakout, openings
 from warpsph.scenarios.breakout.reckoning import LAYERS, remelting_delay, thinnest_shell
@@ -64,12 +65,13 @@ def main(presets: list[str]) -> None:
         case = choose_failure(choose_conductance(resolve(Breakout, [preset_layer(Breakout, preset)])))
         run(case, "failure set")
         path = Path(__file__).parent / "presets" / "breakout" / f"{preset}.toml"
-        path.write_text(
-            f"# {1e3 * case.spacing:g} mm spacing; the last two lines are what the calibration found.\n"
-            f"spacing = {case.spacing:g}\n"
-            f"mould_conductance = {case.mould_conductance:.1f}\n"
-            f"spray_failure = {case.spray_failure}\n"
-        )
+        with hidden_until_whole(path) as hidden:
+            hidden.write_text(
+                f"# {1e3 * case.spacing:g} mm spacing; the last two lines are what the calibration found.\n"
+                f"spacing = {case.spacing:g}\n"
+                f"mould_conductance = {case.mould_conductance:.1f}\n"
+                f"spray_failure = {case.spray_failure}\n"
+            )
         print(f"written: {path.name}")
 
 

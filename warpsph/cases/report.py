@@ -11,6 +11,7 @@ from rich.text import Text
 
 from warpsph.cases.check import Check
 from warpsph.errors import InputError
+from warpsph.files.beside import hidden_until_whole
 
 
 def check_table(title: str, checks: Sequence[Check]) -> Table:
@@ -38,13 +39,12 @@ def write_json(checks: Sequence[Check], path: Path) -> None:
     """Write the rows as a JSON list; a number that is not finite becomes null.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the file may not be written.
+        WarpsphError: the disk is full or broken.
     """
     rows = [{key: _plain(value) for key, value in check.as_dict().items()} for check in checks]
-    try:
-        path.write_text(json.dumps(rows, indent=2, allow_nan=False) + "\n")
-    except OSError as error:
-        raise InputError(f"--json '{path}' cannot be written: {error.strerror}") from None
+    with hidden_until_whole(path) as hidden:
+        hidden.write_text(json.dumps(rows, indent=2, allow_nan=False) + "\n")
 
 
 def _cells(check: Check) -> list[str]:

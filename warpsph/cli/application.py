@@ -18,6 +18,7 @@ from warpsph.cli.render import render
 from warpsph.cli.run import run
 from warpsph.cli.verify import verify
 from warpsph.errors import DivergenceError, InputError, WarpsphError
+from warpsph.files.beside import DISK_TROUBLE
 
 application = App(
     name="warpsph",
@@ -66,7 +67,7 @@ def _exit_code(tokens: list[str]) -> int:
     except OSError as error:
         where = f"{error.filename}" if error.filename else "a file or standard output"
         complain(f"{where}: cannot be read or written: {error.strerror or error}")
-        return WarpsphError.exit_code
+        return (WarpsphError if error.errno in DISK_TROUBLE else InputError).exit_code
     except KeyboardInterrupt as interruption:
         complain("interrupted")
         return 128 + getattr(interruption, "number", signal.SIGINT)

@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from warpsph.errors import InputError
+from warpsph.files.beside import hidden_until_whole
 from warpsph.pictures.axes_in_space import INK, PALE_INK, draw_axes
 from warpsph.pictures.layout import arrange
 from warpsph.pictures.looks import Look
@@ -165,15 +165,14 @@ class Sheet:
 
 
 def save(figure: Figure, output: Path) -> None:
-    """Write a figure to a file.
+    """Write a figure to a file, which appears when it is whole.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the file may not be written.
+        WarpsphError: the disk is full or broken.
     """
-    try:
-        figure.savefig(output)
-    except OSError as error:
-        raise InputError(f"{output}: cannot be written: {error.strerror or error}") from None
+    with hidden_until_whole(output) as hidden:
+        figure.savefig(hidden)
 
 
 def time_text(time: float, last: float) -> str:

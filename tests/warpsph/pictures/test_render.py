@@ -10,7 +10,7 @@ from matplotlib.image import imread
 
 from warpsph.core.labels import Phase
 from warpsph.core.quantity import Quantity
-from warpsph.errors import InputError
+from warpsph.errors import InputError, WarpsphError
 from warpsph.files.output import ResultWriter
 from warpsph.files.results import ResultFile
 from warpsph.pictures import graphics, plot_diagnostics, render_movie, render_series, render_still
@@ -97,6 +97,14 @@ def test_failed_movie_leaves_nothing(result, tmp_path):
 
     with pytest.raises(KeyboardInterrupt):
         render_movie(result, tmp_path / "movie.mp4", progress=stop)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_movie_that_is_not_whole_is_told(result, tmp_path, monkeypatch):
+    """If it failed, a full disk would leave a stump that is called written: the encoder says nothing of it."""
+    monkeypatch.setattr(imageio_ffmpeg, "count_frames_and_secs", lambda path: (3, 0.1))
+    with pytest.raises(WarpsphError, match=r"movie\.mp4: cannot be written"):
+        render_movie(result, tmp_path / "movie.mp4")
     assert list(tmp_path.iterdir()) == []
 
 
