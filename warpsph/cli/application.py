@@ -1,5 +1,6 @@
 """The ``warpsph`` command as a whole: its subcommands, and what becomes of an error or a warning."""
 
+import logging
 import signal
 import sys
 import warnings
@@ -46,6 +47,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         arguments: the words after ``warpsph``; those of this process by default.
     """
     tokens = list(sys.argv[1:] if arguments is None else arguments)
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # it tells in two lines that it has no folder for its fonts
     with warnings.catch_warnings():
         warnings.showwarning = lambda message, *_, **__: complain(str(message))
         return _exit_code(tokens)

@@ -13,6 +13,7 @@ from typing import Any
 import warp as wp
 
 from warpsph.core.driver import cuda_versions, driver_complaint, driver_is_here
+from warpsph.core.kernel_cache import start_warp
 from warpsph.errors import InputError
 from warpsph.kernels.basics.barrier import barrier
 
@@ -49,8 +50,7 @@ class Executor:
 
     def __init__(self, device: str = "auto", threads: int | None = None):
         wp.config.log_level = wp.LOG_ERROR
-        with _without_driver_warning():
-            wp.init()
+        start_warp()
         self.device = _find_device(device)
         self.threads = 1 if self.device.is_cuda else _thread_count(threads)
         self._slice: int | None = None
@@ -209,19 +209,6 @@ def _launch_graphs(graphs: Sequence[tuple[list[wp.Graph], int]], index: int) -> 
     for of_threads, count in graphs:
         for _ in range(count):
             wp.capture_launch(of_threads[index])
-
-
-@contextmanager
-def _without_driver_warning() -> Iterator[None]:
-    """Warp's native part writes to standard error where there is no CUDA driver, whatever the log level."""
-    kept = os.dup(2)
-    with open(os.devnull, "w") as nowhere:
-        os.dup2(nowhere.fileno(), 2)
-    try:
-        yield
-    finally:
-        os.dup2(kept, 2)
-        os.close(kept)
 
 
 def available_cores() -> int:
