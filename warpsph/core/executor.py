@@ -14,6 +14,7 @@ import warp as wp
 
 from warpsph.core.driver import cuda_versions, driver_complaint, driver_is_here
 from warpsph.core.kernel_cache import start_warp
+from warpsph.core.turns import in_turn
 from warpsph.errors import InputError
 from warpsph.kernels.basics.barrier import barrier
 
@@ -48,6 +49,7 @@ class Executor:
         InputError: the device does not exist here or the number of threads makes no sense.
     """
 
+    @in_turn
     def __init__(self, device: str = "auto", threads: int | None = None):
         wp.config.log_level = wp.LOG_ERROR
         start_warp()

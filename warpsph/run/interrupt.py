@@ -47,9 +47,13 @@ class InterruptRequest:
             signal.signal(number, before)
 
     def send_on(self) -> None:
-        """Let a signal that would have ended the process end it now that everything is kept."""
-        if self._before.get(self.number) is signal.SIG_DFL:
+        """Let a signal that would have ended the process end it now that all is kept, or a run around this one."""
+        before = self._before.get(self.number)
+        if before is signal.SIG_DFL:
             signal.raise_signal(self.number)
+        around = getattr(before, "__self__", None)
+        if isinstance(around, InterruptRequest):
+            around.number = around.number or self.number
 
     def _note(self, number: int, frame: FrameType | None) -> None:
         if not self.asked:

@@ -18,6 +18,7 @@ from warpsph.core.registry import Registry, Remembers
 from warpsph.core.solver import Solver
 from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
+from warpsph.core.turns import in_turn
 from warpsph.errors import DivergenceError, InputError, number, numbers, shown
 from warpsph.files.checkpoint import Checkpoint, beside
 from warpsph.files.output import ResultWriter
@@ -65,6 +66,7 @@ class Simulation:
         events: what happens; observers may note something there.
     """
 
+    @in_turn
     def __init__(
         self,
         executor: Executor,
@@ -129,6 +131,7 @@ class Simulation:
         """A copy of all per-particle fields on the host, in the order of the ids."""
         return self.state.snapshot()
 
+    @in_turn
     def prepare(self) -> None:
         """Bring what follows from the initial state up to date; a run does so by itself before its first step."""
         self.solver.prepare()
@@ -172,6 +175,7 @@ class Simulation:
         if isinstance(output, str | Path):
             refuse_full_disk(estimate, Path(output))
 
+    @in_turn
     def write_start(self, schedule: Schedule, output: str | Path, parameters: dict) -> None:
         """Write what there is before the first step as the only frame of a result file.
 
@@ -189,6 +193,7 @@ class Simulation:
                 writer.close()
             self.recorder.begin(None)
 
+    @in_turn
     def measure(self, schedule: Schedule) -> float:
         """How long [s] a run by this schedule would take, by a few of its steps and one look, which are done."""
         self._begin_with(schedule)
@@ -198,6 +203,7 @@ class Simulation:
         look = wall_clock.perf_counter() - started
         return seconds / schedule.cycle_steps.count * schedule.steps + look * schedule.frames
 
+    @in_turn
     def run(
         self,
         duration: float,
@@ -215,7 +221,7 @@ class Simulation:
 
         The time step fills the output interval with whole cycles and does not depend on the duration; where that ends
         within a cycle, the steps of this last cycle are shorter. ``run(a)`` and then ``run(b)`` is ``run(a + b)`` as
-        long as a is a multiple of the output interval.
+        long as a is a multiple of the output interval. Of two runs in two threads of one process the second waits.
 
         Args:
             duration: physical time [s].
