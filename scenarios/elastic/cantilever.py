@@ -173,10 +173,10 @@ def first_mode(s: np.ndarray | float) -> np.ndarray:
 
 
 def period(time: np.ndarray, deflection: np.ndarray) -> float:
-    """Mean time [s] between the zeros at which a deflection that is zero at first rises again, interpolated."""
+    """Mean time [s] between the zeros at which a deflection that is 0 at first rises again, interpolated, or NaN."""
     before = np.flatnonzero((deflection[:-1] < 0.0) & (deflection[1:] >= 0.0))
     zeros = time[before] - deflection[before] * np.diff(time)[before] / np.diff(deflection)[before]
-    return float((zeros[-1] - time[0]) / len(zeros))
+    return float((zeros[-1] - time[0]) / len(zeros)) if len(zeros) else np.nan
 
 
 def spectral_elements() -> dict[float, tuple[float, float]]:

@@ -108,9 +108,12 @@ class RubberRings(Scenario):
             left, right = state["body"] == LEFT, state["body"] == RIGHT
             x, mass = state["position"].astype(float), state["mass"].astype(float)[:, None]
             momentum = mass * state["velocity"]
-            stretch = np.linalg.svd(state["deformation"].astype(float), compute_uv=False)
+            sound = np.all(np.isfinite(state["deformation"])) and np.all(np.isfinite(x))
+            stretch = (
+                np.linalg.svd(state["deformation"].astype(float), compute_uv=False) if sound else np.array([np.nan])
+            )
             parting = float((momentum[right] - momentum[left]).sum(axis=0)[0] / mass[left].sum())
-            gap = float(cKDTree(x[left]).query(x[right])[0].min())
+            gap = float(cKDTree(x[left]).query(x[right])[0].min()) if sound else np.nan
             asymmetry = float(np.abs(x[left] * [-1.0, 1.0, 1.0] - x[right]).max())
             return {
                 "momentum": Measured(momentum.sum(axis=0), "kg m/s", "momentum", per_depth=True),

@@ -16,6 +16,7 @@ from warpsph.core.particles import Particles, lattice
 from warpsph.core.periodic import PeriodicBox
 from warpsph.core.state import Snapshot
 from warpsph.run.measured import Measured, Values
+from warpsph.run.measuring import highest
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.flow.channel_series import Channel
@@ -107,12 +108,12 @@ class ParallelFlow(Scenario):
         y, u = state["position"][fluid, 1].astype(float), state["velocity"][fluid].astype(float)
         exact = self.exact.velocity(y, time)
         error = float(np.sqrt(np.mean((u[:, 0] - exact) ** 2)))
-        row = np.clip((y / self.spacing).astype(int), 0, self.rows - 1)
+        row = np.clip(np.nan_to_num(y / self.spacing), 0, self.rows - 1).astype(int)
         count = np.maximum(np.bincount(row, minlength=self.rows), 1)
         places, means = (np.bincount(row, values, self.rows) / count for values in (y, u[:, 0]))
         return {
             "rms_error": Measured(error / self.speed, "", "RMS error of the velocity over U"),
-            "cross_flow": Measured(float(np.abs(u[:, 1:]).max()) / self.speed, "", "highest speed across over U"),
+            "cross_flow": Measured(highest(np.abs(u[:, 1:]).ravel()) / self.speed, "", "highest speed across over U"),
             "velocity": Measured(means / self.speed, "", "velocity over U", over="place"),
             "place": Measured(places / self.height, "", "height over H"),
         }

@@ -17,6 +17,7 @@ from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
 from warpsph.machine import SymmetryPlane
 from warpsph.run.measured import Measured, Values
+from warpsph.run.measuring import highest
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.terms import Conduction, Fluid, SummedDensity
@@ -98,8 +99,8 @@ class DamBreak(Scenario):
         position = state["position"][liquid].astype(float)
         heat = state["mass"].astype(float) * state["enthalpy"]
         floor = position[:, 1] < 0.5 * self.width
-        front = float(position[floor, 0].max() + 0.5 * self.spacing) / self.width
-        height = float(position[:, 1].max() + 0.5 * self.spacing) / (2.0 * self.width)
+        front = (highest(position[floor, 0]) + 0.5 * self.spacing) / self.width
+        height = (highest(position[:, 1]) + 0.5 * self.spacing) / (2.0 * self.width)
         of_liquid, of_wall = float(heat[liquid].sum()), float(heat[wall].sum())
         return {
             "front": Measured(front, "", "front over L"),

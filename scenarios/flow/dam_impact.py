@@ -101,7 +101,8 @@ class DamImpact(Scenario):
         values: Values = {}
         for name, height in SENSORS.items():
             across = height + self.sensor * np.linspace(-0.5, 0.5, 5)
-            mean = float(np.interp(across, x[wall, 1], state["pressure"][wall].astype(float)).mean())
+            along = np.interp(across, x[wall, 1], state["pressure"][wall].astype(float)) if len(wall) else [np.nan]
+            mean = float(np.mean(along))
             values[name] = Measured(mean / self.load, "", f"{1e3 * height:g} mm", panel="pressure over rho g H")
         for name, place in GAUGES.items():
             column = x_water[np.abs(x_water[:, 0] - place) < dx, 1]

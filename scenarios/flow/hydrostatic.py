@@ -17,6 +17,7 @@ from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
 from warpsph.machine import Settling
 from warpsph.run.measured import Measured, Values
+from warpsph.run.measuring import highest, means_of_slices, value_at_zero
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.terms import Fluid, SummedDensity
@@ -108,8 +109,8 @@ class Hydrostatic(Scenario):
         y, p = state["position"][melt, 1].astype(float), state["pressure"][melt].astype(float)
         error = (p - self.exact_pressure(y)) / self.exact_pressure(0.0)
         low = y < self.height / 8.0
-        bottom_pressure = float(np.polyfit(y[low], p[low], 1)[1])
-        profile_error = float(np.abs(self._slice_means(y, error)).max())
+        bottom_pressure = value_at_zero(y[low], p[low])
+        profile_error = highest(np.abs(self._slice_means(y, error)))
         mean_speed = float(np.linalg.norm(state["velocity"][melt], axis=1).mean())
         over = "over that at the bottom"
         return {
@@ -117,14 +118,12 @@ class Hydrostatic(Scenario):
             "profile_error": Measured(profile_error, "", f"largest error of the pressure, {over}"),
             "pressure_scatter": Measured(float(error.std()), "", f"scatter of the pressure, {over}"),
             "mean_speed": Measured(mean_speed, "m/s", "mean speed"),
-            "level": Measured(float(y.max() + 0.5 * self.spacing), "m", "melt level"),
+            "level": Measured(highest(y) + 0.5 * self.spacing, "m", "melt level"),
         }
 
     def _slice_means(self, y: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Means of ``values`` over slices of the column one smoothing length high, the incomplete top one left out."""
-        index = (y / (self.support_ratio * self.spacing)).astype(int)
-        count = np.bincount(index)
-        means = np.bincount(index, values) / np.maximum(count, 1)
+        means, count = means_of_slices(y / (self.support_ratio * self.spacing), values)
         return means[count > self.columns]
 
     @classmethod

@@ -16,6 +16,7 @@ from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
 from warpsph.run.measured import Measured, Values
+from warpsph.run.measuring import highest
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.terms import Buoyancy, CorrectedConduction, CorrectedFluid, HeatWall
@@ -175,7 +176,7 @@ class _Observer:
         warmer = state["temperature"][air].astype(float) - case.mean
         carried = float(np.mean(u[:, 0] * warmer)) * case.length / (case.diffusivity * case.difference)
         hot, cold = self.conduction.heat_to_walls()[:2]
-        speed = float(np.linalg.norm(u, axis=1).max()) * case.length / case.diffusivity
+        speed = highest(np.linalg.norm(u, axis=1)) * case.length / case.diffusivity
         taken: dict[str, Any] = {"per_depth": True, "panel": "heat through the walls"}
         return {
             "nusselt": Measured(1.0 + carried, "", "Nusselt number, mean over the box"),

@@ -16,6 +16,7 @@ from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
 from warpsph.run.measured import Measured, Values
+from warpsph.run.measuring import value_at_zero
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.terms import CorrectedFluid, Fluid, SummedDensity
@@ -95,7 +96,7 @@ class StillTank(Scenario):
         y, p = x[:, 1], state["pressure"][liquid].astype(float)
         error = (p - self.exact_pressure(y)) / load
         low = y < max(self.height / 8.0, 2.25 * self.spacing)
-        bottom = float(np.polyfit(y[low], p[low], 1)[1]) / load - 1.0
+        bottom = value_at_zero(y[low], p[low]) / load - 1.0
         speed = np.sqrt(np.mean(np.sum(state["velocity"][liquid].astype(float) ** 2, axis=1)))
         outside = (y < 0.0) | (x[:, 0] < 0.0) | (x[:, 0] > self.height)
         if self.dimension == 3:

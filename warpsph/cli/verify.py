@@ -14,6 +14,7 @@ from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError
 from warpsph.run.interrupt import Interrupted
+from warpsph.run.measuring import undefined_is_no_number
 from warpsph.run.result import Result
 
 
@@ -40,7 +41,8 @@ def verify(
     diverged = False
     for scenario in scenarios:
         try:
-            found = list(scenario.verify(_simulate, slow))
+            with undefined_is_no_number():
+                found = list(scenario.verify(_simulate, slow))
         except DivergenceError as error:
             diverged = True
             output_console().print(Text(f"{scenario.name}: diverged: {error}", style="bold red"))

@@ -13,6 +13,7 @@ from warpsph.files.output import TIME, ResultWriter
 from warpsph.run.diagnostics import common_diagnostics
 from warpsph.run.events import Events
 from warpsph.run.measured import Values, quantity_of, value_of
+from warpsph.run.measuring import undefined_is_no_number
 
 Numbers = dict[str, float | np.ndarray]
 Observe = Callable[[Snapshot, float], Values]
@@ -58,9 +59,10 @@ class Recorder:
             present = snapshot["role"] != Role.RESERVOIR
             fields = {name: snapshot[name][present] for name, field in self.state.fields.items() if field.written}
             self.writer.write_frame(time, snapshot["position"][present], fields)
-        measured = common_diagnostics(snapshot)
-        if self.observe is not None:
-            measured |= _observed(self.observe(snapshot, time))
+        with undefined_is_no_number():
+            measured = common_diagnostics(snapshot)
+            if self.observe is not None:
+                measured |= _observed(self.observe(snapshot, time))
         values: Numbers = {name: _numeric(name, value_of(given)) for name, given in measured.items()}
         self._refuse_misfits(values)
         for name, given in measured.items():
