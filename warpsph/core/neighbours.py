@@ -42,7 +42,7 @@ class Neighbours:
         reach: farthest distance of two neighbours [m].
         skin: added to the reach [m].
         lower, upper: the box (3,) that holds most particles [m]; others are found too, only slower. Along periodic axes
-            it is that of the model.
+            it is that of the model; in the plane it has one layer of cells.
         before_sorting: done before particles are sorted.
         on_sorted: done when the particles have been sorted; ``order`` and ``place`` are known to its launches.
         on_listed: done when the list has been made.
@@ -67,7 +67,9 @@ class Neighbours:
         self.state = state
         self.radius, self.half_skin = reach + skin, 0.5 * skin
         self._before_sorting, self._on_sorted, self._on_listed = before_sorting, on_sorted, on_listed
-        self.grid = _grid(np.asarray(lower, float), np.asarray(upper, float), self.radius, model.periodic)
+        lower, upper = np.array(lower, float), np.array(upper, float)
+        lower[model.dimension :] = upper[model.dimension :] = 0.0
+        self.grid = _grid(lower, upper, self.radius, model.periodic)
         self._cells = self.grid.nx * self.grid.ny * self.grid.nz
         self._places = self._cells + len(model.materials)
         self._hold_arrays(launch.executor.on_cuda, model)

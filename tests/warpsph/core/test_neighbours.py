@@ -101,3 +101,18 @@ def test_a_row_that_overflows_is_reported(device):
     x[:200] *= 0.05
     state = renewed(Executor(device), x)
     assert state.longest_row.numpy()[0] > state.neighbours.capacity
+
+
+def test_the_plane_has_one_layer_of_cells(device):
+    """If it failed, a box given as a cube would cost a thousand times the cells, and half a second a renewal."""
+    x = points("lattice", 2)
+    particles = Particles()
+    particles.add(x, Role.FREE)
+    model = compose(Model(2, SPACING, (fluid_material("fluid", 1000.0),)))
+    executor = Executor(device)
+    state = initial_state(model, particles, executor.device)
+    launch = Launch(executor, state.count, state.arrays, state.values, state.lists, state.scratch)
+    neighbours = Neighbours(launch, model, state, 0.26, 0.03, np.full(3, -30.0), np.full(3, 30.0))
+    neighbours.renew_if_outdated()
+    assert (neighbours.grid.nx, neighbours.grid.nz) == (207, 1)
+    assert pairs_of(state) == brute_force(state.numpy("position"))
