@@ -108,7 +108,7 @@ class Hydrostatic(Scenario):
         melt = state["role"] == Role.FREE
         y, p = state["position"][melt, 1].astype(float), state["pressure"][melt].astype(float)
         error = (p - self.exact_pressure(y)) / self.exact_pressure(0.0)
-        low = y < self.height / 8.0
+        low = y < max(self.height / 8.0, 2.0 * self.spacing)  # a line needs two rows
         bottom_pressure = value_at_zero(y[low], p[low])
         profile_error = highest(np.abs(self._slice_means(y, error)))
         mean_speed = float(np.linalg.norm(state["velocity"][melt], axis=1).mean())
