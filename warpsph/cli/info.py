@@ -9,7 +9,11 @@ from rich.text import Text
 
 from warpsph.cli.consoles import output_console
 from warpsph.cli.describe import show_value
+from warpsph.errors import cut
 from warpsph.files.results import ResultFile
+
+MOST_EVENTS = 500
+LONGEST_VALUE = 1000  # letters
 
 
 def info(file: Path, /) -> None:
@@ -22,7 +26,9 @@ def info(file: Path, /) -> None:
     """
     result = ResultFile(file)
     last = {name: result.diagnostics[name][-1] for name in result.quantities if len(result.diagnostics[name])}
-    events = [(f"{time:.4g} s", text) for time, text in result.events]
+    events = [(f"{time:.4g} s", text) for time, text in result.events[:MOST_EVENTS]]
+    if len(result.events) > MOST_EVENTS:
+        events.append(("", f"and {len(result.events) - MOST_EVENTS} more events"))
     console = output_console()
     sections = {
         "Parameters": result.parameters.items(),
@@ -56,4 +62,4 @@ def _section(title: str, rows: Iterable[tuple[str, object]]) -> Table:
 def _show(value: object) -> str:
     if isinstance(value, np.ndarray) and value.size > 1:
         return f"{value.size} values from {value.min():.6g} to {value.max():.6g}"
-    return show_value(value)
+    return cut(show_value(value), LONGEST_VALUE)

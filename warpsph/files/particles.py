@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from warpsph.errors import InputError, number
+from warpsph.errors import InputError, cut, number, shown
 from warpsph.files.columns import MATERIAL, read_columns
 from warpsph.files.results import ResultFile
 from warpsph.nearest import did_you_mean
@@ -13,6 +13,7 @@ from warpsph.nearest import did_you_mean
 AXES = ("x", "y", "z")
 VELOCITIES = ("vx", "vy", "vz")
 NUMBERED_ANEW = "id"
+LONGEST_MATERIAL = 100  # letters of its name
 
 Table = dict[str, np.ndarray]
 
@@ -71,17 +72,18 @@ def _of_result(result: ResultFile, dimension: int, time: float | None) -> Table:
     """A frame of a result, its materials by their names."""
     if time is not None and not np.isfinite(number(time)):
         raise InputError(f"{result.path}: time = {time!r}: must be a number [s]")
-    if result.provenance.get("dimension", dimension) != dimension:
-        raise InputError(
-            f"{result.path}: is a result in {result.provenance['dimension']} dimensions; the case has {dimension}"
-        )
+    stored = result.provenance.get("dimension", dimension)
+    if stored != dimension:
+        raise InputError(f"{result.path}: is a result in {shown(stored)} dimensions; the case has {dimension}")
     points, fields = result.frame(-1 if time is None else result.nearest(time))
     names = result.provenance.get("materials")
     if MATERIAL in fields:
         indices = fields[MATERIAL]
-        if not isinstance(names, list) or np.any((indices < 0) | (indices >= len(names))):
+        if indices.dtype.kind not in "iu" or indices.ndim != 1 or not isinstance(names, list):
             raise InputError(f"{result.path}: its particles have materials that it does not name")
-        fields[MATERIAL] = np.array(names, str)[indices]
+        if np.any((indices < 0) | (indices >= len(names))):
+            raise InputError(f"{result.path}: its particles have materials that it does not name")
+        fields[MATERIAL] = np.array([cut(str(name), LONGEST_MATERIAL) for name in names], str)[indices]
     return {"position": points.astype(float), **fields}
 
 

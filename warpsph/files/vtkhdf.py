@@ -6,11 +6,16 @@ place of a step's offsets by counting cells, so a step without particles gets on
 """
 
 from collections.abc import Mapping
+from math import prod
 
 import h5py
 import numpy as np
 
+from warpsph.files.guarded import GuardedFile, whole_number
+
 ROOT = "VTKHDF"
+STEPS = f"{ROOT}/Steps"
+MOST_COMPONENTS = 9  # of a field: a tensor
 TOPOLOGIES = ("Vertices", "Lines", "Polygons", "Strips")
 PARTICLES_PER_CHUNK = 16384
 STEPS_PER_CHUNK = 256
@@ -118,20 +123,38 @@ def commit(group: h5py.Group, counter: str, count: int) -> None:
     group.file.flush()
 
 
-def read_times(file: h5py.File) -> np.ndarray:
+def read_times(file: GuardedFile) -> np.ndarray:
     """Times of the steps of which everything has been written (S,) [s]."""
-    root, steps = file[ROOT], file[ROOT]["Steps"]
-    counted = (steps["Values"], steps["PointOffsets"], root["NumberOfPoints"])
-    complete = min(int(steps.attrs["NSteps"]), *(len(dataset) for dataset in counted))
-    rows = min(len(dataset) for dataset in (root["Points"], *root["PointData"].values()))
-    ends = steps["PointOffsets"][:complete] + root["NumberOfPoints"][:complete]
-    too_long = np.flatnonzero((ends < 0) | (ends > rows))
-    return steps["Values"][: too_long[0] if len(too_long) else complete]
+    counted = (f"{STEPS}/Values", f"{STEPS}/PointOffsets", f"{ROOT}/NumberOfPoints")
+    written = whole_number(file.group(STEPS), "NSteps")
+    complete = max(0, min(written, *(_rows(file, path) for path in counted)))
+    rows = min(_rows(file, path) for path in (f"{ROOT}/Points", *file.members(f"{ROOT}/PointData").values()))
+    first, count = (file.numbers(path, 0, complete, "iu").astype("i8") for path in counted[1:])
+    whole = (first >= 0) & (count >= 0) & (count <= rows - first)
+    times = file.numbers(counted[0], 0, complete if np.all(whole) else int(np.argmin(whole)), "f").astype("f8")
+    if times.ndim != 1 or not np.all(np.isfinite(times)):
+        raise ValueError("times of its frames are no finite numbers")
+    return times
 
 
-def read_step(file: h5py.File, step: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+def read_step(file: GuardedFile, step: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Points (n, 3) and fields of one step."""
-    root = file[ROOT]
-    first = int(root["Steps/PointOffsets"][step])
-    rows = slice(first, first + int(root["NumberOfPoints"][step]))
-    return root["Points"][rows], {name: dataset[rows] for name, dataset in root["PointData"].items()}
+    first, count = (
+        int(file.numbers(path, step, step + 1, "iu")[0]) for path in (f"{STEPS}/PointOffsets", f"{ROOT}/NumberOfPoints")
+    )
+    points = file.numbers(f"{ROOT}/Points", first, first + count, "f")
+    if points.ndim != 2 or points.shape[1] != 3:
+        raise ValueError(f"its positions have the shape {points.shape}")
+    fields = {}
+    for name, path in file.members(f"{ROOT}/PointData").items():
+        fields[name] = file.numbers(path, first, first + count)
+        if fields[name].ndim > 2 or not 0 < prod(fields[name].shape[1:]) <= MOST_COMPONENTS:
+            raise ValueError(f"{name} has the shape {fields[name].shape}")
+    return points, fields
+
+
+def _rows(file: GuardedFile, path: str) -> int:
+    shape = file.dataset(path).shape
+    if not shape:
+        raise ValueError(f"{path} has no rows")
+    return int(shape[0])

@@ -12,6 +12,7 @@ from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
 from warpsph.pictures import graphics, vorticity
 from warpsph.pictures.bonds import SHRUNK, bonds_of, draw_bonds
+from warpsph.pictures.fit import fit_to_draw
 from warpsph.pictures.lines import NO_LINES, Lines, draw_lines
 from warpsph.pictures.looks import choose_look
 from warpsph.pictures.parts import Fields
@@ -102,7 +103,7 @@ class Drawing:
             values_of(fields, self.lines.field or self.field)
 
     def _frame(self, k: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        points, fields = self.result.frame(k)
+        points, fields = fit_to_draw(self.result.path, *self.result.frame(k))
         if self._finds_vorticity and vorticity.NAME not in fields and "velocity" in fields:
             fields[vorticity.NAME] = vorticity.vorticity(points, fields)
         if self.cut is None:

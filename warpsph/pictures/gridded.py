@@ -25,7 +25,7 @@ def gridded(
     Returns:
         x (a,) and y (b,) of the grid [m], and the means (b, a), not a number where nothing is.
     """
-    edge = cell * view.spacing
+    edge = max(cell * view.spacing, view.finest)
     x, y = (np.arange(low, high + edge, edge) for low, high in ((view.left, view.right), (view.bottom, view.top)))
     of = ~np.isin(fields["role"], BESIDE_THE_FLUID) & np.isfinite(values)
     places = points[of, 1], points[of, 0]

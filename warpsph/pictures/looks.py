@@ -20,7 +20,7 @@ from warpsph.pictures.palette import (
     shell_and_melt,
 )
 from warpsph.pictures.parts import BESIDE_THE_FLUID, ROLE_NAMES, Fields, Frames, Parts
-from warpsph.pictures.scales import colour_range, ticks_around
+from warpsph.pictures.scales import colour_range, ticks_around, usable
 from warpsph.pictures.shown_field import quantity_of, values_of
 from warpsph.pictures.units import title_of
 
@@ -103,7 +103,8 @@ class StrandLook:
         self.parts = parts
         shell, melt = (np.concatenate([_temperature(fields, solid) for _, fields in frames]) for solid in (True, False))
         freezing = np.quantile(shell, 0.995)
-        least = min(1.0, 0.1 * (melt.max() - shell.min())) or 1.0  # of each half, where the other takes all
+        least = min(1.0, 0.1 * abs(melt.max() - shell.min())) or 1.0  # of each half, where the other takes all
+        least = max(least, 1e-6 * abs(freezing))
         low, high = min(shell.min(), freezing - least), max(melt.max(), freezing + least)
         self.mappable = ScalarMappable(TwoSlopeNorm(freezing, low, high), shell_and_melt())
         ticks = ticks_around(low, freezing, high)
@@ -131,7 +132,8 @@ def choose_look(result: ResultFile, field: str | None, frames: Frames) -> Look:
     Raises:
         InputError: the file holds no field of this name.
     """
-    materials = result.provenance.get("materials", ())
+    stored = result.provenance.get("materials")
+    materials = [str(name) for name in stored] if isinstance(stored, list) else []
 
     def parts(*roles: Role) -> Parts:
         return Parts(frames, roles, materials)
@@ -139,7 +141,8 @@ def choose_look(result: ResultFile, field: str | None, frames: Frames) -> Look:
     freezes = _freezes(frames)
     if field is None and freezes:
         return StrandLook(result.field_quantities["temperature"], frames, parts(*BESIDE_THE_FLUID))
-    field = field or ("phase" if "bond" in result.provenance else _most_telling(frames))
+    bonded = "bond" in result.provenance and "phase" in frames[0][1]
+    field = field or ("phase" if bonded else _most_telling(frames))
     values_of(frames[0][1], field)
     if field == "role":
         return CategoryLook("role", ROLE_NAMES, ROLE_COLOURS, frames, parts())
@@ -158,7 +161,7 @@ def _most_telling(frames: Frames) -> str:
     """What is shown of a run without freezing where nothing is asked for."""
     fields = frames[0][1]
     if "temperature" in fields:
-        temperatures = np.concatenate([fields["temperature"] for _, fields in frames])
+        temperatures = usable(np.concatenate([fields["temperature"] for _, fields in frames]))
         if len(temperatures) and np.ptp(temperatures) > 0.1:
             return "temperature"
     return "speed" if "velocity" in fields else "role"
@@ -174,7 +177,7 @@ def _freezes(frames: Frames) -> bool:
 def _temperature(fields: Fields, solid: bool) -> np.ndarray:
     """Temperatures of the solid, or of the other, particles of the simulated material [K]."""
     chosen = (fields["phase"] == Phase.SOLID) == solid
-    return fields["temperature"][chosen & ~np.isin(fields["role"], BESIDE_THE_FLUID)]
+    return usable(fields["temperature"][chosen & ~np.isin(fields["role"], BESIDE_THE_FLUID)])
 
 
 def _by_label(labels: np.ndarray, colour_of: Mapping[int, str]) -> np.ndarray:

@@ -3,10 +3,18 @@
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
+LARGEST = 1.0e100  # number that has a colour; sums and squares of larger ones are none
+
+
+def usable(values: np.ndarray) -> np.ndarray:
+    """Those of some values (n,) that are numbers and not absurd, in double precision."""
+    values = values.astype(float)
+    return values[np.abs(values) <= LARGEST]
+
 
 def colour_range(values: np.ndarray, whole: bool) -> tuple[float, float, str]:
     """Lowest and highest colour and the ends that lie beyond; the outermost half percent may, unless ``whole``."""
-    values = values[np.isfinite(values)]
+    values = usable(values)
     if len(values) == 0:
         return 0.0, 1.0, "neither"
     lowest, highest = float(values.min()), float(values.max())

@@ -12,11 +12,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from warpsph.files.beside import hidden_until_whole
+from warpsph.errors import InputError, cut
 from warpsph.pictures.axes_in_space import INK, PALE_INK, draw_axes
 from warpsph.pictures.layout import arrange
 from warpsph.pictures.looks import Look
 from warpsph.pictures.periodic_outline import draw_outline
 from warpsph.pictures.shell_edge import NAME, RIM
+from warpsph.pictures.units import plain
 from warpsph.pictures.view import View
 
 STILL_SUFFIXES = (".png", ".pdf", ".svg", ".jpg")
@@ -24,6 +26,7 @@ STILL_SUFFIXES = (".png", ".pdf", ".svg", ".jpg")
 BAR_WIDTH, BAR_HEIGHT, LINE = 0.17, 3.0, 0.23
 POWER = 0.62  # from the left of the bar to its power of ten, beside the tick labels
 KEY_LETTERS = 17  # in a line of the key's title
+LONGEST_NAME = 40  # letters, in the key
 
 
 class Sheet:
@@ -147,7 +150,7 @@ class Sheet:
                 va="center",
                 ha="center",
             )
-            self._text(left + 0.22, top, name, va="center")
+            self._text(left + 0.22, top, plain(cut(name, LONGEST_NAME)), va="center")
             top -= LINE
         if look.edge:
             across, up = self._total

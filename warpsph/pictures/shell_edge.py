@@ -25,7 +25,7 @@ def solid_share(points: np.ndarray, fields: Fields, view: View) -> tuple[np.ndar
     Returns:
         x (a,) and y (b,) of the grid [m], and the share (b, a) from 0 to 1, not a number where nothing is.
     """
-    cell = view.spacing / CELLS
+    cell = max(view.spacing / CELLS, view.finest)
     x, y = (np.arange(low, high + cell, cell) for low, high in ((view.left, view.right), (view.bottom, view.top)))
     material = ~np.isin(fields["role"], BESIDE_THE_FLUID)
     solid = material & (fields["phase"] == Phase.SOLID)

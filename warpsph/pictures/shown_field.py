@@ -20,7 +20,7 @@ def values_of(fields: dict[str, np.ndarray], name: str) -> np.ndarray:
     if name not in allowed:
         raise InputError(f"field = '{name}': the file holds no such field{did_you_mean(name, allowed)}")
     values = fields[name if name in fields else "velocity"]
-    return np.linalg.norm(values, axis=1) if values.ndim == 2 else values
+    return np.linalg.norm(values.astype(float), axis=1) if values.ndim == 2 else values
 
 
 def quantity_of(known: dict[str, Quantity], name: str) -> Quantity:

@@ -7,7 +7,9 @@ from scipy.spatial import cKDTree
 
 from warpsph.core.labels import Role
 from warpsph.core.periodic import PeriodicBox
+from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
+from warpsph.pictures.fit import FARTHEST
 from warpsph.pictures.parts import Frames
 
 DIRECTION = np.array([0.75, 0.5, 1.0]) / np.linalg.norm([0.75, 0.5, 1.0])
@@ -16,6 +18,8 @@ GROUND, GROUND_BRIGHTNESS = 1.55, 0.8  # larger, darker discs behind those in 2-
 AROUND = (Role.WALL, Role.DUMMY)
 LAYERS = np.array([0.2, 0.1, 0.0, 0.4, 0.0, 0.3, 0.3])  # by role, in spacings
 AXES_CORNERS = np.array([[0, 0, 1], [1, 0, 1], [1, 0, 0], [0, 1, 1]])  # corners of the box at which axes are drawn
+MOST_CELLS = 2000  # along a side, more than there are pixels
+SMALLEST = 1.0e-9  # spacing that is believed [m]
 DISTANCE = 4.0  # of the eye from the centre, in diagonals of the domain
 
 
@@ -47,6 +51,11 @@ class View:
     def aspect(self) -> float:
         """Width over height."""
         return (self.right - self.left) / (self.top - self.bottom)
+
+    @property
+    def finest(self) -> float:
+        """Edge [m] of the smallest cells into which the picture is divided, however small the particles."""
+        return max(self.right - self.left, self.top - self.bottom) / MOST_CELLS
 
     def project(self, points: np.ndarray) -> np.ndarray:
         """(n, 3): place in the picture plane and distance from it."""
@@ -81,11 +90,13 @@ def make_view(result: ResultFile, frames: Frames) -> View:
 
     A periodic box is seen whole.
     """
-    points = np.concatenate([points for points, _ in frames])
+    points = np.concatenate([points for points, _ in frames]).astype(float)
     spacing = _spacing(result, points)
     if len(points) == 0:
         return View(0.0, 1.0, 0.0, 1.0, spacing)
     periodic = PeriodicBox.of_facts(result.provenance)
+    if periodic is not None and max(map(abs, (*periodic.lower, *periodic.edges))) > FARTHEST:
+        raise InputError(f"{result.path}: its periodic box is larger than {FARTHEST:g} m")
     if result.provenance.get("dimension") == 3 or np.ptp(points[:, 2]) > spacing:
         low, high = _box(points, periodic)
         eye = (low + high) / 2 + DISTANCE * (np.linalg.norm(high - low) + spacing) * DIRECTION
@@ -99,7 +110,8 @@ def make_view(result: ResultFile, frames: Frames) -> View:
     else:
         camera = None
         (left, bottom, _), (right, top, _) = _box(points, periodic)
-        margin = spacing
+        # so that there is a picture of a few particles far from the origin
+        margin = max(spacing, 1e-6 * max(map(abs, (left, bottom, right, top))))
     return View(left - margin, right + margin, bottom - margin, top + margin, spacing, camera, periodic)
 
 
@@ -125,10 +137,10 @@ def _box(points: np.ndarray, periodic: PeriodicBox | None) -> tuple[np.ndarray, 
 def _spacing(result: ResultFile, points: np.ndarray) -> float:
     """The stored particle spacing [m], or else a guess from the volume that the particles fill."""
     stored = result.provenance.get("spacing")
-    if isinstance(stored, int | float) and np.isfinite(stored) and stored > 0:
+    if isinstance(stored, int | float) and SMALLEST <= stored <= FARTHEST:
         return float(stored)
     if len(points) < 2:
         return 1.0
     extent = np.ptp(points, axis=0)
     extent = extent[extent > 1e-6 * extent.max()]
-    return float((np.prod(extent) / len(points)) ** (1 / len(extent))) if len(extent) else 1.0
+    return max(float((np.prod(extent) / len(points)) ** (1 / len(extent))), SMALLEST) if len(extent) else 1.0
