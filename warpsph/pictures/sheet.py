@@ -11,8 +11,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from warpsph.errors import cut
 from warpsph.files.beside import hidden_until_whole
-from warpsph.errors import InputError, cut
 from warpsph.pictures.axes_in_space import INK, PALE_INK, draw_axes
 from warpsph.pictures.layout import arrange
 from warpsph.pictures.looks import Look
