@@ -6,6 +6,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from warpsph.core.state import State
+from warpsph.errors import InputError
 
 
 @runtime_checkable
@@ -43,12 +44,19 @@ class Registry:
         """Become as it was at :meth:`save`.
 
         Raises:
-            ValueError: what was saved belongs to another case.
+            InputError: what was saved belongs to another case; nothing is changed, but memories may be.
         """
-        for name in (*self.arrays, *self.memories):
-            if name not in saved or (name in self.arrays and saved[name].shape != self.arrays[name].numpy().shape):
-                raise ValueError(f"what was saved belongs to another case: '{name}' is missing or has another shape")
+        for name, array in self.arrays.items():
+            there, here = saved.get(name), array.numpy()
+            fits = isinstance(there, np.ndarray) and there.shape == here.shape and there.dtype == here.dtype
+            if not fits:
+                raise InputError(f"what was saved belongs to another case: '{name}' is missing or of another kind")
+        for name, owner in self.memories.items():
+            try:
+                owner.restore(deepcopy(saved[name]))
+            except (KeyError, TypeError, ValueError, AttributeError, IndexError):
+                raise InputError(
+                    f"what was saved belongs to another case: the memory '{name}' is not its own"
+                ) from None
         for name, array in self.arrays.items():
             array.assign(np.ascontiguousarray(saved[name]))
-        for name, owner in self.memories.items():
-            owner.restore(deepcopy(saved[name]))

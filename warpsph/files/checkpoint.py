@@ -12,12 +12,25 @@ from typing import Any
 
 import numpy as np
 
-from warpsph.errors import InputError, WarpsphError
+from warpsph.errors import InputError
+from warpsph.files.beside import hidden_until_whole
 from warpsph.files.packing import Arrays, pack, unpack
 
 FORMAT = 1
 SUFFIX = ".checkpoint"
 FACTS = "facts.json"
+KINDS = {
+    "warpsph": str,
+    "warp": str,
+    "kind of device": str,
+    "parameters": dict,
+    "result": dict,
+    "wall_time": float,
+    "time": float,
+    "begin": float,
+    "output_interval": float,
+    "cycles": int,
+}
 
 
 @dataclass(frozen=True)
@@ -36,7 +49,7 @@ class Checkpoint:
         """Write the file beside and move it into place; the one that was there is kept as ``<name>.previous``.
 
         Raises:
-            WarpsphError: it cannot be written; what was there stays.
+            InputError, WarpsphError: it cannot be written; what was there stays.
         """
         arrays: Arrays = {}
         tree = {
@@ -44,21 +57,13 @@ class Checkpoint:
             "facts": pack(self.facts, arrays, "facts"),
             "saved": pack(self.saved, arrays, "saved"),
         }
-        unfinished = path.with_name(f".{path.name}.{os.getpid()}")
-        try:
-            with open(unfinished, "wb") as file:
-                with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
-                    archive.writestr(FACTS, json.dumps(tree))
-                    for name, array in arrays.items():
-                        with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
-                            np.lib.format.write_array(member, array, allow_pickle=False)
-                file.flush()
-                os.fsync(file.fileno())
+        with hidden_until_whole(path) as hidden:
+            with zipfile.ZipFile(hidden, "w", zipfile.ZIP_STORED) as archive:
+                archive.writestr(FACTS, json.dumps(tree))
+                for name, array in arrays.items():
+                    with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                        np.lib.format.write_array(member, array, allow_pickle=False)
             _keep_previous(path)
-            os.replace(unfinished, path)
-        except OSError as error:
-            unfinished.unlink(missing_ok=True)
-            raise WarpsphError(f"{path}: the checkpoint cannot be written: {error.strerror or error}") from None
 
     @classmethod
     def read(cls, path: Path) -> "Checkpoint":
@@ -77,7 +82,11 @@ class Checkpoint:
             if tree["format"] != FORMAT:
                 raise ValueError(f"format {tree['format']}, this version reads {FORMAT}")
             arrays = {member.filename.removesuffix(".npy"): _array(archive, member) for member in members[1:]}
-            return cls(unpack(tree["facts"], arrays), unpack(tree["saved"], arrays))
+            facts = unpack(tree["facts"], arrays)
+            for name, kind in KINDS.items():
+                if type(facts[name]) is not kind:
+                    raise ValueError(f"'{name}' is no {kind.__name__}")
+            return cls(facts, dict(unpack(tree["saved"], arrays)))
 
 
 def beside(result: Path) -> Path:

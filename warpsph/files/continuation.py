@@ -23,11 +23,13 @@ def refuse_other_run(result: ResultFile, counts: Counts) -> None:
     """
     if counts.get("run") != result.provenance.get("run"):
         raise InputError(f"{result.path}: is not the result of the run of this checkpoint; name another --output")
-    if len(result.times) < counts["frames"]:
-        raise InputError(
-            f"{result.path}: holds {len(result.times)} frames, the checkpoint is after {counts['frames']}; "
-            "name another --output to begin a file from there on"
-        )
+    held = {"frames": len(result.times), "diagnostics": len(result.diagnostics["time"]), "events": len(result.events)}
+    for name, rows in held.items():
+        if not 0 <= counts.get(name, -1) <= rows:
+            raise InputError(
+                f"{result.path}: holds {rows} {name}, the checkpoint is after {counts.get(name)}; name another "
+                "--output to begin a file from there on"
+            )
 
 
 def cut_back(file: h5py.File, counts: Counts) -> None:

@@ -36,9 +36,9 @@ class Checkpoints:
         facts = self.facts | {
             "written": datetime.now(UTC).isoformat(timespec="seconds"),
             "wall_time": wall_time,
-            "time": schedule.time,
-            "begin": schedule.begin,
-            "output_interval": schedule.output_interval,
+            "time": float(schedule.time),
+            "begin": float(schedule.begin),
+            "output_interval": float(schedule.output_interval),
             "cycles": schedule.whole_cycles,
             "result": self.writer.counts() if self.writer else {},
         }
@@ -84,10 +84,16 @@ def continued_schedule(
     """
     facts = checkpoint.facts
     begin, end = facts["begin"], facts["begin"] + duration
-    if end <= facts["time"]:
+    if not begin <= facts["time"] < end:
         raise InputError(
             f"duration = {duration:g}: the checkpoint is at {facts['time']:g} s already; give a longer one (--until)"
         )
     if output_interval != facts["output_interval"]:
         return Schedule(plan, facts["time"], end - facts["time"], output_interval, every)
-    return Schedule(plan, begin, duration, output_interval, every, done=facts["cycles"])
+    schedule = Schedule(plan, begin, duration, output_interval, every, done=facts["cycles"])
+    if not abs(schedule.time - facts["time"]) <= 1e-9 * max(abs(begin), abs(end)):
+        raise InputError(
+            f"the checkpoint is at {facts['time']:g} s after {facts['cycles']} cycles, where this run is at "
+            f"{schedule.time:g} s: it is of something else"
+        )
+    return schedule

@@ -247,8 +247,10 @@ class Simulation:
         _refuse_no_functions(progress=progress)
         _refuse_other_kinds(parameters=({} if parameters is None else parameters, dict))
         recorder = self.recorder
-        writer = self._open(output, overwrite, parameters or {}, begun)
-        recorder.begin(writer)
+        recorder.begin(None)
+        if begun:
+            self.registry.load(begun.saved)  # before the file, which a checkpoint of something else must not harm
+        recorder.writer = writer = self._open(output, overwrite, parameters or {}, begun)
         checkpoints = self._checkpoints(checkpoint, checkpoint_every, writer, parameters or {})
         started = wall_clock.perf_counter() - (begun.facts["wall_time"] if begun else 0.0)
         status, ledgers = "failed", []
@@ -256,9 +258,7 @@ class Simulation:
         try:
             with interrupt:
                 self._begin_with(schedule)
-                if begun:
-                    self.registry.load(begun.saved)
-                else:
+                if not begun:
                     refuse_divergence(self.solver, self.plan)
                     recorder.keep()
                 self._advance(schedule, interrupt, Meter(schedule, progress), checkpoints, started)

@@ -137,3 +137,27 @@ def test_a_damaged_checkpoint_is_refused_and_the_one_before_works(begun, tmp_pat
     resumed(previous(begun), tmp_path / "heat.vtkhdf")
     run(HeatGaussian(**SMALL_HEAT), tmp_path / "whole.vtkhdf", 4.0)
     assert different(tmp_path / "heat.vtkhdf", tmp_path / "whole.vtkhdf") == []
+
+
+HOSTILE = {
+    "an array is missing": lambda c: (c.facts, {k: v for k, v in c.saved.items() if k != "position"}),
+    "an array is of another kind": lambda c: (c.facts, c.saved | {"id": c.saved["id"].astype(float)}),
+    "an array has another shape": lambda c: (c.facts, c.saved | {"position": c.saved["position"][1:]}),
+    "a memory is another's": lambda c: (c.facts, c.saved | {"events": {"all": [1], "told": "x"}}),
+    "a fact is missing": lambda c: ({k: v for k, v in c.facts.items() if k != "cycles"}, c.saved),
+    "a fact is of another kind": lambda c: (c.facts | {"time": "late"}, c.saved),
+    "the place in the schedule is nowhere": lambda c: (c.facts | {"cycles": -3}, c.saved),
+    "the result is nowhere": lambda c: (c.facts | {"result": {}}, c.saved),
+    "the result holds more": lambda c: (c.facts | {"result": c.facts["result"] | {"diagnostics": 10**9}}, c.saved),
+    "nothing is there": lambda c: ({}, {}),
+}
+
+
+@pytest.mark.parametrize("how", HOSTILE)
+def test_a_checkpoint_that_is_whole_but_wrong_is_refused(begun, tmp_path, how):
+    """If it failed, such a file would end in the inside of Python, or harm the result that it names."""
+    before = (tmp_path / "heat.vtkhdf").read_bytes()
+    Checkpoint(*HOSTILE[how](Checkpoint.read(begun))).write(begun)
+    with pytest.raises(InputError):
+        resumed(begun, tmp_path / "heat.vtkhdf")
+    assert (tmp_path / "heat.vtkhdf").read_bytes() == before
