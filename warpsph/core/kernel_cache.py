@@ -12,9 +12,9 @@ from pathlib import Path
 
 import warp as wp
 
-from warpsph.errors import InputError
+from warpsph.errors import WarpsphError
 
-WORTH_A_TRY = 1 << 20  # bytes, about what the kernels of a small case take
+WORTH_A_TRY = 1 << 16  # bytes
 
 
 @cache
@@ -22,7 +22,7 @@ def start_warp() -> None:
     """Start Warp once, with a folder for its kernels that can be written.
 
     Raises:
-        InputError: there is no such folder on this machine.
+        WarpsphError: there is no such folder on this machine.
     """
     try:
         with _without_driver_warning():
@@ -38,7 +38,7 @@ def _use_temporary_folder(refused: str) -> None:
         folder = tempfile.mkdtemp(prefix="warpsph-kernels-")
         _try_to_write(Path(folder))
     except OSError:
-        raise InputError(
+        raise WarpsphError(
             f"compiled kernels cannot be kept ({refused}); name a folder with room in WARP_CACHE_PATH"
         ) from None
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
