@@ -31,12 +31,16 @@ def complain(message: str) -> None:
 
 
 def explain(facts: Mapping[str, str]) -> None:
-    """Write what else is known of an error, a line each, a longer one as wide as the screen."""
-    table = Table.grid(padding=(0, 2))
+    """Write what else is known of an error, a line each; on a terminal long ones are broken beside their names."""
+    console, table = error_console(), Table.grid(padding=(0, 2))
+    width = max((len(name) for name in facts), default=0)
     for name, text in facts.items():
-        table.add_row(Text(f"  {name}", style="bold"), Text(" ".join(text.split())))
-    if facts:
-        error_console().print(table)
+        line = " ".join(text.split())
+        table.add_row(Text(f"  {name}", style="bold"), Text(line))
+        if not console.is_terminal:
+            console.print(Text(f"  {name:{width}}  {line}"), soft_wrap=True)
+    if facts and console.is_terminal:
+        console.print(table)
 
 
 def _console(stderr: bool) -> Console:

@@ -265,10 +265,18 @@ class ImplicitHeat:
         self._prepared[key]()
 
     def _failure(self, method: str, count: int, norm: float, goal: float) -> DivergenceError:
-        return DivergenceError(
+        state = self._state
+        rest = np.abs(self.solution.rest.numpy())
+        unknown = int(np.argmax(np.where(np.isnan(rest), np.inf, rest)))  # that of particle i in family f at f n + i
+        worst = unknown % state.count
+        place = ", ".join(f"{x:.4g}" for x in state.numpy("position")[worst])
+        message = (
             f"conduction: {method} has not converged after {count} iterations before "
-            f"t = {float(self._state.time.numpy()[0]):.6g} s: the rest is {norm:.3g} J, {goal:.3g} J is asked for; "
-            "shorter steps, more iterations or a larger tolerance may help"
+            f"t = {float(state.time.numpy()[0]):.6g} s: the rest is {norm:.3g} J, {goal:.3g} J is asked for; "
+            f"the largest part, {rest[unknown]:.3g} J, is that of particle {state.numpy('id')[worst]} at ({place}) m"
+        )
+        return DivergenceError(
+            message, {"usual cause": "shorter steps, more iterations or a larger tolerance may help"}
         )
 
 

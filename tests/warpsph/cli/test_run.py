@@ -1,6 +1,8 @@
 """``warpsph run``: which values win, what is written, how it ends."""
 
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -149,3 +151,18 @@ def test_the_name_of_a_field_may_not_be_a_path(warpsph_command):
     outcome = warpsph_command("render", str(written), "--field", "a/b")
     assert outcome.code == 2
     assert "no such field" in outcome.error
+
+
+def test_divergence_is_told_in_one_plain_screen(tmp_path: Path):
+    """If it failed, nobody would see in a log what broke, where to look, or what usually causes it."""
+    words = ["run", "hydrostatic", "--set", "rows=10", "columns=6", "viscosity=0", "step_factor=10", "--threads", "1"]
+    command = [sys.executable, "-m", "warpsph", *words, "--until", "2", "--output", "out.vtkhdf", "--quiet"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 3
+    first, *facts = done.stderr.splitlines()
+    assert re.match(r"warpsph: diverged at t = \S+ s: particle \d+ \(free, melt\) at \(.*\) m has .*, must be ", first)
+    for name in ("when", "particle", "time step", "usual cause", "last good frame"):
+        assert any(line.startswith(f"  {name}  ") for line in facts), done.stderr
+    assert "\x1b" not in done.stderr
+    assert re.search(r"by its limits, sound and viscosity \(7.6\): [5-9]\.\d+ of ", done.stderr)
+    assert "frame 2 of out.vtkhdf, at t = 0.1 s\n" in done.stderr
