@@ -1,20 +1,27 @@
 """The columns of particle files, as they stand there: CSV, NumPy, and what PyVista reads."""
 
 import csv
-import logging
-import warnings
-from collections.abc import Iterator
-from contextlib import contextmanager
+import io
+import os
+import subprocess
+import sys
+import zipfile
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
 
-from warpsph.errors import InputError
+from warpsph.errors import InputError, cut, printable
 
 Columns = dict[str, np.ndarray]
 
 PARAVIEW = {"Points:0": "x", "Points:1": "y", "Points:2": "z"}  # as it calls positions in its CSV
 MATERIAL = "material"  # the column that may hold names
+LONGEST_NAME = 100  # letters of a material or a column
+MOST_COLUMNS = 1000
+LARGEST_RATIO, LEAST_BYTES = 16, 2**28  # what may unfold, over its size in the file; what may in any case
+SECONDS, BYTES_PER_SECOND = 60.0, 1e6  # after which VTK has lost itself
+VTK_SUFFIXES = (".vtk", ".vtp", ".vtu", ".vti", ".vtr", ".vts", ".ply", ".stl", ".obj")  # none leads to other files
 
 
 def read_columns(path: Path) -> Columns:
@@ -23,13 +30,20 @@ def read_columns(path: Path) -> Columns:
     Raises:
         InputError: the file cannot be read; one line says which and why.
     """
-    if not path.is_file():
-        raise InputError(f"{path}: {'is a folder' if path.is_dir() else 'no such file'}; give a file of particles")
+    if not os.path.isfile(path):
+        what = "is no regular file" if os.path.exists(path) else "no such file"
+        raise InputError(f"{path}: {'is a folder' if os.path.isdir(path) else what}; give a file of particles")
     if path.stat().st_size == 0:
         raise InputError(f"{path}: is empty; give a file of particles")
-    read = {".csv": _read_csv, ".npy": _read_numpy, ".npz": _read_numpy}.get(path.suffix.lower(), _read_vtk)
+    readers = {".csv": _read_csv, ".npy": _read_numpy, ".npz": _read_numpy, **dict.fromkeys(VTK_SUFFIXES, _read_vtk)}
+    read = readers.get(path.suffix.lower())
+    if read is None:
+        raise InputError(f"{path}: files of particles end in {', '.join(readers)} or .vtkhdf")
     try:
-        return read(path)
+        columns = read(path)
+        if len(columns) > MOST_COLUMNS:
+            raise InputError(f"{path}: has {len(columns)} columns; at most {MOST_COLUMNS} are read")
+        return {cut(printable(name), LONGEST_NAME): values for name, values in columns.items()}
     except InputError:
         raise
     except PermissionError:
@@ -47,15 +61,17 @@ def _read_csv(path: Path) -> Columns:
         raise InputError(f"{path}: is empty; its first line must name the columns, such as x,y,temperature")
     names = [PARAVIEW.get(name.strip(), name.strip()) for name in rows.pop(0)[1]]
     _refuse_other_forms(path, names)
-    for name in names:
-        if not name or names.count(name) > 1:
+    for name, count in Counter(names).items():
+        if not name or count > 1:
             what = f"two columns are called '{name}'" if name else "a column has no name"
             raise InputError(f"{path}: {what}; its first line must name each column, such as x,y,temperature")
     for line, row in rows:
         if len(row) != len(names):
             raise InputError(f"{path}: line {line} has {len(row)} values; the header names {len(names)} columns")
     return {
-        name: np.array([row[k].strip() for _, row in rows], str) if name == MATERIAL else _numbers(path, name, k, rows)
+        name: np.array([cut(row[k].strip(), LONGEST_NAME) for _, row in rows], str)
+        if name == MATERIAL
+        else _numbers(path, name, k, rows)
         for k, name in enumerate(names)
     }
 
@@ -88,35 +104,34 @@ def _numbers(path: Path, name: str, place: int, rows: list[tuple[int, list[str]]
 
 
 def _read_numpy(path: Path) -> Columns:
-    content = np.load(path, allow_pickle=False)
+    if path.suffix.lower() == ".npz":
+        with zipfile.ZipFile(path) as packed:
+            unfolded = sum(entry.file_size for entry in packed.infolist())
+        if unfolded > max(LARGEST_RATIO * path.stat().st_size, LEAST_BYTES):
+            raise ValueError(f"it unfolds to {unfolded:.3g} bytes, more than {LARGEST_RATIO} times its size")
+    # from the disk, where an array that claims to be larger than its file is found out
+    content = np.load(path, mmap_mode="r", allow_pickle=False)
     if not isinstance(content, np.ndarray):
         with content:
             return dict(content)
     if content.dtype.names is None:
-        return {"position": content}
-    return {name: content[name] for name in content.dtype.names}
+        return {"position": np.array(content)}
+    return {name: np.array(content[name]) for name in content.dtype.names}
 
 
 def _read_vtk(path: Path) -> Columns:
-    import pyvista  # takes long to import
-
-    with _told_once(), pyvista.vtk_verbosity("off"), pyvista.VtkErrorCatcher(send_to_logging=False) as found:
-        mesh = pyvista.read(path)
-    if found.error_events:
-        raise ValueError(found.error_events[0].alert)
-    if not isinstance(mesh, pyvista.DataSet):
-        raise InputError(f"{path}: holds a {type(mesh).__name__}, not one set of points; extract one of its blocks")
-    return {"position": np.array(mesh.points), **{name: np.array(data) for name, data in mesh.point_data.items()}}
-
-
-@contextmanager
-def _told_once() -> Iterator[None]:
-    """Keep from standard error what PyVista says and warns of a damaged file, in many lines: an error will tell."""
-    before = logging.root.manager.disable
-    logging.disable(logging.ERROR)
+    """What VTK reads, in a process of its own: of a damaged file it may take all memory or die."""
+    size = path.stat().st_size
+    command = [sys.executable, "-P", "-m", "warpsph.files.vtk_columns", str(path.absolute()), str(size)]
+    limit = SECONDS + size / BYTES_PER_SECOND
+    one_thread = os.environ | {"OPENBLAS_NUM_THREADS": "1"}
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            yield
-    finally:
-        logging.disable(before)
+        done = subprocess.run(command, capture_output=True, timeout=limit, env=one_thread)
+    except subprocess.TimeoutExpired:
+        raise ValueError(f"VTK has not read it in {limit:.0f} s") from None
+    if done.returncode == InputError.exit_code:
+        raise ValueError(done.stderr.decode(errors="replace"))
+    if done.returncode:
+        raise ValueError("VTK cannot read it")
+    with np.load(io.BytesIO(done.stdout), allow_pickle=False) as columns:
+        return dict(columns)

@@ -28,7 +28,7 @@ def read_particles(
     ``.npy``              positions (n, 2) or (n, 3), or a structured array with named columns
     ``.npz``              arrays by name: ``position`` (n, 2) or (n, 3), or ``x``, ``y``, ``z``; and fields
     ``.vtkhdf``           a result of warpsph
-    ``.vtk``, ``.vtp``,   and whatever else PyVista reads: the points and their data
+    ``.vtk``, ``.vtp``,   and other files of VTK that do not lead to further files: the points and their data
     ``.vtu``, ``.ply``
     ====================  ==============================================================================================
 

@@ -160,7 +160,7 @@ TEXTS = [
     ("a.csv", b"x,y,vx\n1,2,3\n", "has vx; give vx, vy and in 3D vz"),
     ("a.csv", b"x,y,z\n1,2,3\n", "z other than 0; the case has two dimensions"),
     ("a.csv", b"x,y,\xb5\n1,2,3\n", "is damaged or no file of particles"),
-    *((f"a.{kind}", b"\x00 nothing of the kind", "is damaged or n") for kind in (*KINDS[1:], "txt", "vtkhdf")),
+    *((f"a.{kind}", b"\x00 nothing of the kind", "is damaged or n") for kind in (*KINDS[1:], "vtkhdf")),
 ]
 
 
@@ -227,7 +227,9 @@ def test_a_result_that_does_not_fit_is_refused(tmp_path):
     assert "time = nan: must be a number" in refused(path, time=float("nan"))
 
 
-def test_a_collection_of_blocks_is_refused(tmp_path):
-    """If it failed, one block would silently stand for all."""
+@pytest.mark.parametrize("suffix", [".vtm", ".pvd", ".pkl", ".txt"])
+def test_files_that_lead_to_others_are_refused(tmp_path, suffix):
+    """If it failed, one block would silently stand for all, and a file could have another one read, or run code."""
     pyvista.MultiBlock([pyvista.PolyData(np.zeros((2, 3)))]).save(tmp_path / "a.vtm")
-    assert "holds a MultiBlock" in refused(tmp_path / "a.vtm")
+    path = (tmp_path / "a.vtm").rename(tmp_path / f"a{suffix}")
+    assert "files of particles end in .csv, " in refused(path)
