@@ -85,9 +85,14 @@ class Scenario(BaseModel):
             key = cut(unknown, LONGEST_VALUE)
             raise InputError(f"{self.name}: unknown parameter '{key}'{did_you_mean(unknown, type(self).model_fields)}")
         try:
-            super().__init__(**{key: _plain(value) for key, value in values.items()})
+            with np.errstate(divide="raise", over="raise", invalid="raise"):
+                super().__init__(**{key: _plain(value) for key, value in values.items()})
         except ValidationError as error:
             raise InputError(_one_line(type(self), error)) from None
+        except ArithmeticError as error:
+            given = cut(", ".join(values), LONGEST_VALUE)
+            reason = f"nothing can be reckoned with these values ({error}); give {given} nearer to the default"
+            raise InputError(f"{self.name}: {reason}") from None
 
     def build(self, executor: "Executor") -> "Simulation":
         """Place the particles and choose terms and parts."""
