@@ -29,6 +29,7 @@ from warpsph.terms.profile import Profile
 from warpsph.terms.solute import Solute
 from warpsph.terms.summed_density import SummedDensity
 from warpsph.terms.surface_tension import SurfaceTension
+from warpsph.terms.thermal_viscosity import ThermalViscosity
 from warpsph.terms.whole_phases import WholePhases
 
 __all__ = [
@@ -64,6 +65,7 @@ __all__ = [
     "Solute",
     "SummedDensity",
     "SurfaceTension",
+    "ThermalViscosity",
     "WholePhases",
     "cut_cells",
 ]

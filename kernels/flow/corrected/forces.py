@@ -141,7 +141,7 @@ def _add_flow_forces(space: Space) -> Callable[..., None]:
                         pressed += V_grad_W * (share * (p_j - p_i))
                         w = 1.0 - flow.anisotropy * (wp.dot(d, times(M, d)) * inverse - mean)
                         sheared += u_ij * (mu * w * F)
-                        lean += d * (mu * w * F)
+                        lean += d * (mu_i * w * F)
                     else:
                         pressed += V_grad_W * (share * p_j + (2.0 - share) * p_i)
             L = correction_of(M)
@@ -161,6 +161,7 @@ def _add_flow_forces(space: Space) -> Callable[..., None]:
                 shift *= LARGEST_SHIFT * fastest / length
             if inside:
                 pressed = times(L, pressed)
+                # what pairs of one viscosity make of a linear velocity is an error, beyond it is the viscosity's slope;
                 # where a wall does not rub, the sum of pairs has no friction at its face, the corrected one has;
                 # between two viscosities the gradient is that of neither side, and the stress is one
                 if not slips:
