@@ -12,7 +12,7 @@ from warpsph.errors import InputError
 from warpsph.files.checkpoint import Checkpoint, beside, previous
 from warpsph.files.results import ResultFile
 from warpsph.run.result import Result
-from warpsph.scenarios import HeatGaussian
+from warpsph.scenarios import Casting, HeatGaussian
 
 SMALL_HEAT = {"spacing": 0.04, "duration": 2.0, "output_interval": 0.5}
 
@@ -161,3 +161,16 @@ def test_a_checkpoint_that_is_whole_but_wrong_is_refused(begun, tmp_path, how):
     with pytest.raises(InputError):
         resumed(begun, tmp_path / "heat.vtkhdf")
     assert (tmp_path / "heat.vtkhdf").read_bytes() == before
+
+
+def test_a_spray_may_fail_in_what_is_left(tmp_path):
+    """If it failed, what happens next could not be varied from one checkpoint on, without the hours before."""
+    case = Casting(spacing=0.006, spray_flux=0.8, spray_particle=1e-3, duration=0.06, output_interval=0.02)
+    failing = case.model_copy(update={"spray_failure": 0.04})
+    for name, which in (("parts", case), ("other", case), ("whole", failing)):
+        run(which, tmp_path / f"{name}.vtkhdf", 0.06 if which is failing else 0.03, checkpoint_every=0.03)
+    for name, which in (("parts", failing), ("other", case)):
+        checkpoint = Checkpoint.read(beside(tmp_path / f"{name}.vtkhdf"))
+        run(which, tmp_path / f"{name}.vtkhdf", 0.06, resume=checkpoint)
+    assert different(tmp_path / "parts.vtkhdf", tmp_path / "whole.vtkhdf") == []
+    assert different(tmp_path / "parts.vtkhdf", tmp_path / "other.vtkhdf") != []
