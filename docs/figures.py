@@ -11,6 +11,7 @@ import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 from casting_figures import draw_breakout_shell, draw_inlets, draw_oscillation, event_times
+from casting_flow_figures import draw_formulations
 from conduction_figures import draw_cost, draw_steps
 from convection_figures import draw_convection
 from crystal_figures import draw_crystal_growth
@@ -119,6 +120,16 @@ def casting_shell(picture: Path) -> None:
     left.legend(frameon=False, loc="lower left")
     drawing.savefig(picture, dpi=150)
     plt.close(drawing)
+
+
+@figure
+def casting_formulations(picture: Path) -> None:
+    """Pressure, speed and shell of the demo on two formulations of the flow."""
+    names = ("published", "corrected")
+    results = {name: simulated("casting", "demo", f"formulation={name}") for name in names}
+    draw_formulations(
+        resolve(find_scenario("casting"), [preset_layer(find_scenario("casting"), "demo")]), results, picture
+    )
 
 
 @figure
