@@ -80,6 +80,7 @@ class Conduction(Term):
     integrator: Integrator = EXPLICIT
 
     smoothing_kernels: ClassVar[tuple[str, ...]] = CONDUCTING
+    heat_lost: ClassVar[float] = HEAT_LOST
 
     def __post_init__(self) -> None:
         given = self.longest_interval is not None
@@ -237,7 +238,7 @@ class Conduction(Term):
         present = state.numpy("role") != Role.RESERVOIR
         enthalpy = state.numpy("enthalpy").astype(float) - state.numpy("enthalpy_carry")
         heat = (state.numpy("mass") * enthalpy)[present]
-        return {"heat": Content(float(np.sum(heat)), float(np.sum(np.abs(heat))), "J", HEAT_LOST)}
+        return {"heat": Content(float(np.sum(heat)), float(np.sum(np.abs(heat))), "J", self.heat_lost)}
 
     def gains(self, state: State) -> dict[str, dict[str, float | np.ndarray]]:
         held, walls = float(np.sum(state.numpy("heat_held"))), float(np.sum(self.heat_to_walls()))
