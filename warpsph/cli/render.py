@@ -9,6 +9,7 @@ from cyclopts.validators import Number
 from rich.text import Text
 
 from warpsph.cli.consoles import error_console, output_console
+from warpsph.cli.levels import read_levels
 from warpsph.cli.target import check_free, check_target
 from warpsph.errors import InputError
 from warpsph.files.results import ResultFile
@@ -52,7 +53,7 @@ def render(
         Draw lines that follow the velocity, in two dimensions.
     levels
         Draw lines of equal value, in two dimensions: of the field that the colours show, or of the one that is named,
-        for example temperature=1723.15,1773.15, the solidus and the liquidus of a steel.
+        for example temperature=1700,1750; or solidus, liquidus, or both, of all that melts.
     output
         The picture to write; when not given it stands beside FILE and is called after it, the field, the time of the
         frame, the cut and the lines, as far as they are given.
@@ -71,7 +72,7 @@ def render(
     if time is not None:
         _check_time(result, time)
         time = float(result.times[result.nearest(time)])
-    named, values = _levels(levels)
+    named, values = read_levels(levels, result)
     drawn = [word for word, given in (("arrows", arrows), ("streamlines", streamlines), ("levels", levels)) if given]
     picture = output or _beside(file, field, time, plane, drawn, suffix)
     check_free(picture, overwrite)
@@ -108,17 +109,6 @@ def _plane(cut: str | None) -> tuple[int, float] | None:
         return ("x", "y", "z").index(axis.strip()), float(place)
     except ValueError:
         raise InputError(f"--cut '{cut}': give an axis and a place in metres, for example z=0.03") from None
-
-
-def _levels(text: str | None) -> tuple[str | None, tuple[float, ...]]:
-    """The field, None for the one that the colours show, and the values of ``[NAME=]VALUE,...``."""
-    if text is None:
-        return None, ()
-    name, _, values = text.rpartition("=")
-    try:
-        return name.strip() or None, tuple(float(value) for value in values.split(","))
-    except ValueError:
-        raise InputError(f"--levels '{text}': give numbers, for example 0.1,0.2 or temperature=1723,1773") from None
 
 
 def _beside(

@@ -86,6 +86,11 @@ class Material:
             raise InputError(f"material {self.name}: {argument} = {shown(getattr(self, argument))}: must be {allowed}")
 
     @property
+    def melts(self) -> bool:
+        """Whether it melts and freezes at all."""
+        return self.solidus > NEVER_FREEZES[0] and self.liquidus < NEVER_MELTS[1]
+
+    @property
     def is_pure(self) -> bool:
         """Whether it melts at one temperature."""
         return self.solidus == self.liquidus

@@ -16,6 +16,9 @@ def facts_of_run(executor: Executor, model: Model) -> dict[str, Any]:
         "dimension": model.dimension,
         "materials": [material.name for material in model.materials],
     }
+    melting = {material.name: [material.solidus, material.liquidus] for material in model.materials if material.melts}
+    if melting:
+        facts["melting_ranges"] = melting
     if model.periodic is not None:
         facts |= model.periodic.facts()
     for term in model.terms:

@@ -1,11 +1,13 @@
 """Arrows, streamlines and lines of equal value over the particles, and the vorticity."""
 
+from dataclasses import dataclass
+
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
-from warpsph.cli.render import _levels
+from warpsph.cli.levels import read_levels
 from warpsph.core.labels import Role
 from warpsph.core.quantity import Quantity
 from warpsph.errors import InputError
@@ -125,10 +127,42 @@ def test_what_cannot_be_drawn_is_refused(tmp_path):
     assert not picture.exists()
 
 
-def test_levels_are_read_from_the_line():
-    """If it failed, the field before the equals sign would be taken for a number, or forgotten."""
-    assert _levels(None) == (None, ())
-    assert _levels("0.1,-2") == (None, (0.1, -2.0))
-    assert _levels("temperature=1723.15,1773.15") == ("temperature", (1723.15, 1773.15))
-    with pytest.raises(InputError, match="give numbers"):
-        _levels("temperature=hot")
+@dataclass
+class Made:
+    """What a result file says of the run that made it."""
+
+    provenance: dict
+    path: str = "a.vtkhdf"
+
+
+STEEL = Made({"melting_ranges": {"steel": [1723.15, 1773.15]}})
+
+
+@pytest.mark.parametrize(
+    ("text", "read"),
+    [
+        (None, (None, ())),
+        ("0.1,-2", (None, (0.1, -2.0))),
+        ("temperature=1723.15,1773.15", ("temperature", (1723.15, 1773.15))),
+        ("liquidus", ("temperature", (1773.15,))),
+        ("solidus, liquidus", ("temperature", (1723.15, 1773.15))),
+    ],
+)
+def test_levels_are_read_from_the_line(text, read):
+    """If it failed, the field before the equals sign, or the ends of melting, would be taken for something else."""
+    assert read_levels(text, STEEL) == read
+
+
+@pytest.mark.parametrize(
+    ("text", "made", "why"),
+    [
+        ("temperature=hot", STEEL, "give numbers"),
+        ("solidus,1700", STEEL, "give numbers"),
+        ("solidus", Made({}), "nothing is known in it that melts"),
+        ("solidus", Made({"melting_ranges": {"steel": "hot"}}), "nothing is known in it that melts"),
+    ],
+)
+def test_levels_that_nothing_has_are_refused(text, made, why):
+    """If it failed, a line would be missing from a picture, without a word."""
+    with pytest.raises(InputError, match=why):
+        read_levels(text, made)
