@@ -29,7 +29,8 @@ def advance_density(
     """Advance the density (n,) [kg/m^3] by ``dt`` [s], compensated; write pressure [Pa] and volume [m^3 or m^2], (n,).
 
     d rho_i / dt = rho_i sum_j V_j (u_i - u_j) . grad W with the smoothing kernel of the pressure force, so that the
-    pressure works on just those volumes that it changes (Monaghan 1994, section 2).
+    pressure works on just those volumes that it changes (Monaghan 1994, section 2). Bonded pairs do not press on each
+    other, so their distance does not count.
     """
     i = wp.tid() + first
     if is_fluid(role[i]):
@@ -37,9 +38,11 @@ def advance_density(
         u_i = velocity[i]
         total = float(0.0)
         for k in range(neighbours.count[i]):
-            j = index_of(entry_of(neighbours, i, k))
-            d = difference(neighbours, x_i, position[j])
-            total += fluid_mass[j] * wp.dot(u_i - velocity[j], d) * spiky_slope(wp.dot(d, d), fluid.support)
+            entry = entry_of(neighbours, i, k)
+            if entry >= 0:
+                j = index_of(entry)
+                d = difference(neighbours, x_i, position[j])
+                total += fluid_mass[j] * wp.dot(u_i - velocity[j], d) * spiky_slope(wp.dot(d, d), fluid.support)
         # volumes of neighbours at rho_0: their true density is being written at this moment
         rate = density[i] * fluid.pressure_scale * total / fluid.reference_density
         rho, carry = compensated_sum(density[i], rate * dt, density_carry[i])

@@ -1,11 +1,11 @@
-"""The pressure under which melt freezes: the bonds go on bearing it."""
+"""What the fluid is to solids: the pressure under which melt freezes, and the density that bonded neighbours give."""
 
 import warp as wp
 
-from warpsph.kernels.basics.smoothing import spiky_slope
+from warpsph.kernels.basics.smoothing import poly6_value, spiky_slope
 from warpsph.kernels.flow.corrected.scheme import FlowConstants, slope_of
 from warpsph.kernels.flow.fluid import FluidConstants
-from warpsph.kernels.solid.bonds import BondList, partner_of, place_of
+from warpsph.kernels.solid.bonds import UNCHANGED, BondList, partner_of, place_of
 
 wp.set_module_options({"enable_backward": False})
 
@@ -47,3 +47,24 @@ def keep_flow_pressure(
             X = bonds.separation[place]
             slope = slope_of(flow, wp.dot(X, X))
             bonds.prestress[place] = -(pressure[i] + pressure[j]) * flow.volume * slope
+
+
+@wp.kernel
+def keep_density(
+    first: int,
+    fluid: FluidConstants,
+    bonds: BondList,
+    rebonded: wp.array[int],
+    fluid_mass: wp.array[float],
+    bonded_density: wp.array[float],
+):
+    """Write what bonded neighbours give to the density of a particle, ``bonded_density`` (n,) [kg/m^3], where bonds
+    have come or gone: what they gave when the bond was made (Vijaykumar 2012, equation 2.1)."""
+    i = wp.tid() + first
+    if rebonded[i] != UNCHANGED:
+        total = float(0.0)
+        for b in range(bonds.count[i]):
+            place = place_of(bonds, i, b)
+            X = bonds.separation[place]
+            total += fluid_mass[partner_of(bonds, place)] * poly6_value(wp.dot(X, X), fluid.support)
+        bonded_density[i] = fluid.density_scale * total

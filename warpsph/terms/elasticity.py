@@ -210,6 +210,8 @@ class Elasticity(Term):
     def _bond_solids(self, launch: Launch) -> None:
         launch(update_bonds)
         note_row(launch, BONDS, self.longest_bond_row, launch.find("bonds").capacity)
+        if "frozen_from" in launch:
+            launch.find("frozen_from").keep_density(launch)
         launch(keep_strain)
         launch(mark_bonded_neighbours)
         launch.whole(clear_flag, flag=launch.find("phase_changed"), counter=self.bond_events)

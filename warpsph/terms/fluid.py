@@ -19,7 +19,7 @@ from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.fluid import FluidConstants
 from warpsph.kernels.flow.forces import add_fluid_forces
 from warpsph.kernels.flow.wall_pressure import extrapolate_pressure
-from warpsph.kernels.solid.prestress import keep_pressure
+from warpsph.kernels.solid.prestress import keep_density, keep_pressure
 from warpsph.terms.phase_change import PhaseChange
 from warpsph.terms.weakly_compressible import DENSEST, SQUEEZED, WeaklyCompressible, largest_shared_viscosity
 
@@ -52,6 +52,7 @@ class Fluid(WeaklyCompressible):
     volume = Field(float, "m^3", "volume (area in 2D)")
     viscosity = Field(float, "Pa s", "viscosity")
     fluid_mass = Field(float, "kg", "mass in the sums of the fluid: walls count like it, spray does not")
+    bonded_density = Field(float, "kg/m^3", "what bonded neighbours give to the density")
 
     def particle_mass(self, model: Model) -> float:
         """That with which the lattice has the reference density."""
@@ -120,6 +121,9 @@ class Fluid(WeaklyCompressible):
 
     def keep_pressure(self, launch: Launch) -> None:
         launch(keep_pressure)
+
+    def keep_density(self, launch: Launch) -> None:
+        launch(keep_density)
 
 
 def fluid_constants(model: Model) -> FluidConstants:

@@ -1,4 +1,4 @@
-"""Freezing under pressure."""
+"""Freezing under pressure, and the pressure that a solid shows to the fluid."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from warpsph.core.materials import thesis_steel
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
-from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity
+from warpsph.terms import Conduction, ContinuityDensity, Elasticity, Fluid, PhaseChange, SummedDensity
 
 SPACING, STEEL = 0.01, thesis_steel()
 
@@ -42,3 +42,24 @@ def test_freezing_is_no_blow(device, dimension, place, error):
     assert 0.4 < solid.mean() < 0.6
     assert simulation.state.bonds.count.numpy()[solid].min() > 2
     assert np.abs(simulation.state.numpy("acceleration") - fluid).max() < error * scale
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("density", [SummedDensity, ContinuityDensity])
+def test_a_strained_solid_presses_on_the_fluid_as_before(device, dimension, density):
+    """Bonded pairs do not press on each other; if they pressed on others the harder the closer they are, that pressure
+    would do work out of nothing, and a thin shell would flutter at its mould."""
+    x = lattice((0.0,) * dimension, (6 * SPACING,) * dimension, SPACING)
+    particles = Particles()
+    particles.add(x, Role.FREE, temperature=STEEL.solidus - 100.0, velocity=-x)
+    terms = (Fluid(2100.0, 10.0), density(), Conduction(), PhaseChange(), Elasticity(4e5, 0.3))
+    simulation = Simulation(
+        Executor(device), Model(dimension, SPACING, (STEEL,), terms, gravity=(0.0, 0.0, 0.0)), particles
+    )
+    simulation.prepare()
+    state, solver = simulation.state, simulation.solver
+    before = state.numpy("density")
+    state.position.assign(0.97 * state.numpy("position"))
+    solver.set_steps(0.01, 0.01)
+    solver.act("find_density")
+    assert np.allclose(state.numpy("density"), before, rtol=1e-5)
