@@ -27,15 +27,17 @@ SMALLEST_VOLUME = wp.constant(0.1)  # over the one at freezing, below which a de
 @wp.struct
 class BondList:
     """Rows of bonds: ``count`` (n,), and for each bond (n * capacity,) its ``partner``, its ``separation`` x_i - x_j at
-    freezing [m], there the normalised ``slope`` W'/r and ``value`` W of the smoothing kernel, and the ``prestress``
-    that it has borne since: a force over the separation, positive where it presses [N/m], in 2D [N/m^2]."""
+    freezing [m], there the normalised ``slope`` W'/r and ``value`` W of the smoothing kernel, and what it bears besides
+    the elastic force: the ``borne`` force on the particle [N], in 2D [N/m], before the deformation. ``whole`` is the
+    force of the bond while bonds come and go."""
 
     count: wp.array[int]
     partner: wp.array[int]
     separation: wp.array[wp.vec3]
     slope: wp.array[float]
     value: wp.array[float]
-    prestress: wp.array[float]
+    borne: wp.array[wp.vec3]
+    whole: wp.array[wp.vec3]
     capacity: int
 
 
@@ -78,7 +80,8 @@ def copy_bond(bonds: BondList, source: int, target: BondList, place: int):
     target.separation[place] = bonds.separation[source]
     target.slope[place] = bonds.slope[source]
     target.value[place] = bonds.value[source]
-    target.prestress[place] = bonds.prestress[source]
+    target.borne[place] = bonds.borne[source]
+    target.whole[place] = bonds.whole[source]
 
 
 @wp.kernel
@@ -131,7 +134,8 @@ def update_bonds(
                         bonds.separation[row + n] = X
                         bonds.slope[row + n] = scale * sine_slope(wp.dot(X, X), reach)
                         bonds.value[row + n] = scale * sine_value(wp.dot(X, X), reach)
-                        bonds.prestress[row + n] = 0.0
+                        bonds.borne[row + n] = wp.vec3()
+                        bonds.whole[row + n] = wp.vec3()
                     n += 1
         if n > bonds.capacity:
             wp.atomic_max(longest_bond_row, 0, n)

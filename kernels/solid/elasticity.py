@@ -61,6 +61,33 @@ def find_stress(
         stress[i] = F * sigma * wp.transpose(settled[i]) * correction[i]
 
 
+@wp.func
+def force_of_bond(
+    elastic: ElasticConstants,
+    bonds: BondList,
+    place: int,
+    x: wp.vec3,
+    v_j: float,
+    F_X: wp.vec3,
+    P_ij: wp.mat33,
+) -> wp.vec3:
+    """Force of a bond that is ``x`` long [m] over the volume of particle i [N/m^3].
+
+    Args:
+        F_X: the separation, deformed by both ends and added.
+        P_ij: stresses of both ends, added [Pa].
+    """
+    X = bonds.separation[place]
+    # Vijaykumar (4.13), (4.14) as in his pseudo-code 4.4, gathered over both ends of the bond
+    force = P_ij * (X * (v_j * bonds.slope[place]))
+    if elastic.hourglass > 0.0:
+        # Ganzenmueller (2015), equations 17-20
+        miss = wp.dot(F_X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
+        weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
+        force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)
+    return force
+
+
 @wp.kernel
 def add_elastic_forces(
     first: int,
@@ -78,29 +105,23 @@ def add_elastic_forces(
 ):
     """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
 
-    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015). Bonds that
-    froze under pressure go on bearing it, along their separation as it is deformed on average: along the distance of
-    the particles it would feed the zero-energy modes.
+    Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015). What bonds
+    bear besides turns and stretches with the deformation of both ends: along the distance of the particles it would
+    feed the zero-energy modes.
     """
     i = wp.tid() + first
     if bonds.count[i] > 0 and role[i] == Role.FREE:
         F_i = deformation[i]
         P_i = stress[i]
         force = wp.vec3()
-        pressed = wp.vec3()
+        borne = wp.vec3()
         for b in range(bonds.count[i]):
             place = place_of(bonds, i, b)
             j = partner_of(bonds, place)
-            X = bonds.separation[place]
-            v_j = body_volume[j]
-            F_X = (F_i + deformation[j]) * X
-            pressed += F_X * (0.5 * bonds.prestress[place])
-            # Vijaykumar (4.13), (4.14) as in his pseudo-code 4.4, gathered over both ends of the bond
-            force += (P_i + stress[j]) * (X * (v_j * bonds.slope[place]))
-            if elastic.hourglass > 0.0:
-                # Ganzenmueller (2015), equations 17-20
-                x = precise_difference(neighbours, position, position_carry, i, j)
-                miss = wp.dot(F_X - 2.0 * x, x) / (wp.dot(x, x) + 1.0e-20)
-                weight = v_j * bonds.value[place] / wp.max(wp.dot(X, X), elastic.shortest_squared)
-                force += x * (0.5 * elastic.hourglass * elastic.youngs_modulus * weight * miss)
-        acceleration[i] += (force * body_volume[i] + pressed) / mass[i]
+            F = F_i + deformation[j]
+            x = precise_difference(neighbours, position, position_carry, i, j)
+            force += force_of_bond(
+                elastic, bonds, place, x, body_volume[j], F * bonds.separation[place], P_i + stress[j]
+            )
+            borne += F * (0.5 * bonds.borne[place])
+        acceleration[i] += (force * body_volume[i] + borne) / mass[i]

@@ -5,6 +5,7 @@ import warp as wp
 from warpsph.kernels.basics.smoothing import poly6_value, spiky_slope
 from warpsph.kernels.flow.corrected.scheme import FlowConstants, slope_of
 from warpsph.kernels.flow.fluid import FluidConstants
+from warpsph.kernels.neighbours.pairs import NeighbourList, difference
 from warpsph.kernels.solid.bonds import UNCHANGED, BondList, partner_of, place_of
 
 wp.set_module_options({"enable_backward": False})
@@ -15,38 +16,41 @@ def keep_pressure(
     first: int,
     fluid: FluidConstants,
     bonds: BondList,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
     froze: wp.array[int],
     pressure: wp.array[float],
     volume: wp.array[float],
 ):
-    """Let the bonds of what just ``froze`` press as the fluid did until then, so that freezing is no blow.
-
-    The force of the pair over its separation is the one of Vijaykumar (2012), equation (2.3), in that moment. Without
-    it what freezes would be rid of its pressure p at once, and set off at p / (rho c), some 0.2 m/s in a mould.
-    """
+    """Let the bonds of what just ``froze`` begin with the force of the pair in the fluid, Vijaykumar (2012), (2.3)."""
     i = wp.tid() + first
     for b in range(bonds.count[i]):
         place = place_of(bonds, i, b)
         j = partner_of(bonds, place)
         if froze[i] != 0 or froze[j] != 0:
-            X = bonds.separation[place]
-            slope = spiky_slope(wp.dot(X, X), fluid.support) * fluid.pressure_scale
-            bonds.prestress[place] = -(pressure[i] + pressure[j]) * (volume[i] * volume[j]) * slope
+            d = difference(neighbours, position[i], position[j])
+            slope = spiky_slope(wp.dot(d, d), fluid.support) * fluid.pressure_scale
+            bonds.whole[place] = d * (-(pressure[i] + pressure[j]) * (volume[i] * volume[j]) * slope)
 
 
 @wp.kernel
 def keep_flow_pressure(
-    first: int, flow: FlowConstants, bonds: BondList, froze: wp.array[int], pressure: wp.array[float]
+    first: int,
+    flow: FlowConstants,
+    bonds: BondList,
+    neighbours: NeighbourList,
+    position: wp.array[wp.vec3],
+    froze: wp.array[int],
+    pressure: wp.array[float],
 ):
-    """Let the bonds of what just ``froze`` press as a pair of fluid and solid did until then; no blow by freezing."""
+    """Let the bonds of what just ``froze`` begin with the force of a pair of fluid and solid."""
     i = wp.tid() + first
     for b in range(bonds.count[i]):
         place = i * bonds.capacity + b
         j = bonds.partner[place]
         if froze[i] != 0 or froze[j] != 0:
-            X = bonds.separation[place]
-            slope = slope_of(flow, wp.dot(X, X))
-            bonds.prestress[place] = -(pressure[i] + pressure[j]) * flow.volume * slope
+            d = difference(neighbours, position[i], position[j])
+            bonds.whole[place] = d * (-(pressure[i] + pressure[j]) * flow.volume * slope_of(flow, wp.dot(d, d)))
 
 
 @wp.kernel

@@ -28,11 +28,8 @@ from warpsph.kernels.solid.bonds import (
     move_bonds,
     update_bonds,
 )
-from warpsph.kernels.solid.elasticity import (
-    add_elastic_forces,
-    find_stress,
-    settle_volume,
-)
+from warpsph.kernels.solid.borne import find_bond_forces, keep_bond_forces
+from warpsph.kernels.solid.elasticity import add_elastic_forces, find_stress, settle_volume
 from warpsph.kernels.solid.strain import ElasticConstants, keep_strain
 from warpsph.terms.phase_change import PhaseChange
 from warpsph.terms.weakly_compressible import WeaklyCompressible
@@ -95,6 +92,7 @@ class Elasticity(Term):
     body_volume = Field(float, "m^3", "volume when it turned solid (area in 2D)")
     correction = Field(wp.mat33, "", "inverse moment matrix of the bonds")
     settled = Field(wp.mat33, "", "from the shape without stress to the one that the bonds count from")
+    was_held = Field(int, "", "whether its bonds held it well before they came or went", kept=False)
     rebonded = Field(int, "", "whether bonds have come or gone just now", kept=False)
     deformation = Field(wp.mat33, "", "deformation gradient since the bonds were made")
     stress = Field(wp.mat33, "Pa", "first Piola-Kirchhoff stress, times the correction")
@@ -202,10 +200,13 @@ class Elasticity(Term):
         launch(find_stress)
         if "frozen_from" in launch:
             launch(settle_volume)
+        launch(find_bond_forces)
         launch(join_body)
         self._bond_solids(launch)
+        launch(find_stress)
         if "frozen_from" in launch:
             launch.find("frozen_from").keep_pressure(launch)
+        launch(keep_bond_forces)
 
     def _bond_solids(self, launch: Launch) -> None:
         launch(update_bonds)
@@ -244,5 +245,6 @@ def _empty_bonds(capacity: int, state: State) -> BondList:
     bonds.separation = wp.zeros(entries, dtype=wp.vec3, device=state.device)
     bonds.slope = wp.zeros(entries, dtype=float, device=state.device)
     bonds.value = wp.zeros(entries, dtype=float, device=state.device)
-    bonds.prestress = wp.zeros(entries, dtype=float, device=state.device)
+    bonds.borne = wp.zeros(entries, dtype=wp.vec3, device=state.device)
+    bonds.whole = wp.zeros(entries, dtype=wp.vec3, device=state.device)
     return bonds
