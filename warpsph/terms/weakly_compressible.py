@@ -60,6 +60,7 @@ class WeaklyCompressible(Term):
     def keep_density(self, launch: Launch) -> None:
         """Find what bonds that have come or gone give to the density; nothing where solids have none of the fluid."""
 
+
 def largest_shared_viscosity(model: Model, moving: tuple[int, ...]) -> float:
     """The largest harmonic mean [Pa s] of the viscosity of what moves and that of anything beside it, walls too."""
     own = np.array([model.materials[m].viscosity for m in moving])[:, None]
