@@ -16,9 +16,9 @@ from warpsph.core.particles import Particles, lattice
 from warpsph.core.periodic import PeriodicBox
 from warpsph.core.state import Snapshot
 from warpsph.run.measured import Measured, Values
-from warpsph.run.measuring import highest
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.run.statistics import highest
 from warpsph.scenarios.flow.channel_series import Channel
 from warpsph.terms import CorrectedFluid, Enclosed
 

@@ -17,9 +17,9 @@ from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
 from warpsph.machine import SymmetryPlane
 from warpsph.run.measured import Measured, Values
-from warpsph.run.measuring import highest
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.run.statistics import highest
 from warpsph.terms import Conduction, Fluid, SummedDensity
 
 LIQUID, COLD_WALL, TANK, GLASS = "liquid", "cold wall", "tank", "glass"  # the materials

@@ -17,9 +17,9 @@ from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
 from warpsph.machine import Settling
 from warpsph.run.measured import Measured, Values
-from warpsph.run.measuring import highest, means_of_slices, value_at_zero
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.run.statistics import highest, means_of_slices, value_at_zero
 from warpsph.terms import Fluid, SummedDensity
 
 THESIS_PRESSURE = 43.8e3  # Vijaykumar (7.1) [Pa]

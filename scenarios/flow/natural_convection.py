@@ -16,9 +16,9 @@ from warpsph.core.model import GRAVITY, Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.core.state import Snapshot
 from warpsph.run.measured import Measured, Values
-from warpsph.run.measuring import highest
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.run.statistics import highest
 from warpsph.terms import Buoyancy, CorrectedConduction, CorrectedFluid, HeatWall
 
 LAYERS = 3  # of particles in the walls

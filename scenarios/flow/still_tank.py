@@ -16,9 +16,9 @@ from warpsph.core.particles import Particles, lattice, tank
 from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
 from warpsph.run.measured import Measured, Values
-from warpsph.run.measuring import value_at_zero
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
+from warpsph.run.statistics import value_at_zero
 from warpsph.terms import CorrectedFluid, Fluid, SummedDensity
 
 DISORDER = 0.1  # of the spacing, the largest displacement of a disordered start

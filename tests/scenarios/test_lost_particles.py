@@ -12,7 +12,7 @@ from warpsph.cases.scenario import Scenario, registered_scenarios
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
 from warpsph.core.state import Snapshot
-from warpsph.run.measuring import undefined_is_no_number
+from warpsph.run.statistics import undefined_is_no_number
 
 COARSE = {
     "hydrostatic": {"rows": 20, "columns": 10},

@@ -14,8 +14,8 @@ from warpsph.cli.consoles import error_console, output_console
 from warpsph.cli.progress import shown_progress
 from warpsph.errors import DivergenceError
 from warpsph.run.interrupt import Interrupted
-from warpsph.run.measuring import undefined_is_no_number
 from warpsph.run.result import Result
+from warpsph.run.statistics import undefined_is_no_number
 
 
 def verify(

@@ -13,7 +13,7 @@ from warpsph.files.output import TIME, ResultWriter
 from warpsph.run.diagnostics import common_diagnostics
 from warpsph.run.events import Events
 from warpsph.run.measured import Values, quantity_of, value_of
-from warpsph.run.measuring import undefined_is_no_number
+from warpsph.run.statistics import undefined_is_no_number
 
 Numbers = dict[str, float | np.ndarray]
 Observe = Callable[[Snapshot, float], Values]
