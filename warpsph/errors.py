@@ -27,6 +27,9 @@ class InputError(WarpsphError):
 
     exit_code = 2
 
+    def __init__(self, message: str = "") -> None:
+        super().__init__(" ".join(str(message).splitlines()))  # a value of the input may have lines
+
 
 def require(owner: object, name: str, holds: bool, allowed: str) -> None:
     """Refuse the value of an argument unless something ``holds`` of it.

@@ -39,6 +39,7 @@ FILES = {
         "columns",
     ),
     "escape codes.csv": (b"x,y\n1," + b"\x1b[31m" * 1000 + b"\n", "a number is needed"),
+    "lines in a value.csv": (b'x,y\n1,"2\n3"\n', "a number is needed"),
     "escapes in a name.csv": (b"x,\x1b[31m\n1,2\n", "its columns|has x"),
     "a claim.npy": (claim((10**10, 3)), "damaged"),
     "wide texts.npy": (claim((2, 3), "<U100000000"), "damaged"),
