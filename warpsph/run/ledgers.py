@@ -3,13 +3,15 @@
 import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from warpsph.core.content import Content
-from warpsph.core.model import Model
-from warpsph.core.state import State
+
+if TYPE_CHECKING:  # not at run time: Warp takes long to import, and help must appear at once
+    from warpsph.core.model import Model
+    from warpsph.core.state import State
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,7 @@ class Ledgers:
         model, state: the case and its particles.
     """
 
-    def __init__(self, model: Model, state: State):
+    def __init__(self, model: "Model", state: "State"):
         self.model, self.state = model, state
         self._start: dict[str, Any] = {}
 
