@@ -16,7 +16,7 @@ from warpsph.errors import InputError
 from warpsph.files.beside import hidden_until_whole
 from warpsph.files.packing import Arrays, pack, unpack
 
-FORMAT = 1
+FORMAT = 2
 SUFFIX = ".checkpoint"
 FACTS = "facts.json"
 KINDS = {
@@ -27,6 +27,7 @@ KINDS = {
     "result": dict,
     "wall_time": float,
     "time": float,
+    "run_begin": float,
     "begin": float,
     "output_interval": float,
     "cycles": int,

@@ -19,7 +19,7 @@ class Checkpoints:
     Args:
         path: where the newest one goes.
         registry: all that changes in the run.
-        facts: what stays the same: of :func:`identity`, and the parameters of the case.
+        facts: what stays the same: of :func:`identity`, the parameters of the case, and when the run began.
         writer: the result file, or None.
     """
 
@@ -83,17 +83,20 @@ def continued_schedule(
         InputError: the checkpoint is at the end of the run already.
     """
     facts = checkpoint.facts
-    begin, end = facts["begin"], facts["begin"] + duration
-    if not begin <= facts["time"] < end:
+    run_begin, time = facts["run_begin"], facts["time"]
+    too_short = InputError(
+        f"duration = {duration:g}: the checkpoint is at {time:g} s already; give a longer one (--until)"
+    )
+    if not run_begin <= time < run_begin + duration:
+        raise too_short
+    anew = output_interval != facts["output_interval"]
+    begin, cycles = (time, 0) if anew else (facts["begin"], facts["cycles"])
+    schedule = Schedule(plan, begin, duration + (run_begin - begin), output_interval, every, done=cycles)
+    if schedule.done:
+        raise too_short
+    if not abs(schedule.time - time) <= 1e-9 * max(abs(begin), abs(schedule.end)):
         raise InputError(
-            f"duration = {duration:g}: the checkpoint is at {facts['time']:g} s already; give a longer one (--until)"
-        )
-    if output_interval != facts["output_interval"]:
-        return Schedule(plan, facts["time"], end - facts["time"], output_interval, every)
-    schedule = Schedule(plan, begin, duration, output_interval, every, done=facts["cycles"])
-    if not abs(schedule.time - facts["time"]) <= 1e-9 * max(abs(begin), abs(end)):
-        raise InputError(
-            f"the checkpoint is at {facts['time']:g} s after {facts['cycles']} cycles, where this run is at "
-            f"{schedule.time:g} s: it is of something else"
+            f"the checkpoint is at {time:g} s after {cycles} cycles, where this run is at {schedule.time:g} s: it is "
+            "of something else"
         )
     return schedule

@@ -251,7 +251,9 @@ class Simulation:
         if begun:
             self.registry.load(begun.saved)  # before the file, which a checkpoint of something else must not harm
         recorder.writer = writer = self._open(output, overwrite, parameters or {}, begun)
-        checkpoints = self._checkpoints(checkpoint, checkpoint_every, writer, parameters or {})
+        run_begin = begun.facts["run_begin"] if begun else schedule.begin
+        constant = {"parameters": parameters or {}, "run_begin": run_begin}
+        checkpoints = self._checkpoints(checkpoint, checkpoint_every, writer, constant)
         started = wall_clock.perf_counter() - (begun.facts["wall_time"] if begun else 0.0)
         status, ledgers = "failed", []
         interrupt = InterruptRequest()
@@ -318,7 +320,7 @@ class Simulation:
         return ResultWriter(output, parameters, facts, overwrite, quantities)
 
     def _checkpoints(
-        self, path: str | Path | None, every: float | None, writer: ResultWriter | None, parameters: dict
+        self, path: str | Path | None, every: float | None, writer: ResultWriter | None, constant: dict
     ) -> Checkpoints | None:
         if path is None and writer is not None:
             path = beside(writer.path)
@@ -326,8 +328,7 @@ class Simulation:
             if every is not None:
                 raise InputError("checkpoint_every: say where checkpoints go: give checkpoint, or output")
             return None
-        facts = identity(self.executor.on_cuda) | {"parameters": parameters}
-        return Checkpoints(Path(path), self.registry, facts, writer)
+        return Checkpoints(Path(path), self.registry, identity(self.executor.on_cuda) | constant, writer)
 
     def _begin_with(self, schedule: Schedule) -> None:
         """Set the time step of a run's cycles, and before the very first step bring the initial state up to date."""

@@ -88,6 +88,32 @@ def test_what_may_change_changes(begun, tmp_path):
     assert np.diff(ResultFile(tmp_path / "heat.vtkhdf").times) == pytest.approx([0.5] * 4 + [0.25] * 8)
 
 
+def test_the_end_counts_from_the_begin_of_the_run_after_a_change_of_the_interval(begun, tmp_path):
+    """If it failed, a resume after a resume with other frames would run on beyond the end that was asked for."""
+    heat = tmp_path / "heat.vtkhdf"
+    changed = HeatGaussian(**SMALL_HEAT | {"output_interval": 0.25})
+    run(changed, heat, 3.0, resume=begun, checkpoint_every=0.5)
+    result = run(changed, heat, 4.0, resume=previous(begun))
+    assert result.time == 4.0
+    run(HeatGaussian(**SMALL_HEAT), tmp_path / "other.vtkhdf", 2.0, checkpoint_every=0.5)
+    at_once = run(changed, tmp_path / "other.vtkhdf", 4.0, resume=beside(tmp_path / "other.vtkhdf"))
+    assert different(heat, tmp_path / "other.vtkhdf") == []
+    assert at_once.positions.tobytes() == result.positions.tobytes()
+
+
+def test_an_end_that_leaves_nothing_to_do_is_refused(begun, tmp_path):
+    """If it failed, such a resume would lack its last frame, or blame the checkpoint."""
+    with pytest.raises(InputError, match="at 2 s already; give a longer"):
+        resumed(begun, tmp_path / "heat.vtkhdf", duration=2.0 + 1e-8)
+
+
+@pytest.mark.parametrize("every", [1e-320, 1e308])
+def test_any_distance_of_checkpoints_will_do(tmp_path, every):
+    """If it failed, a very large or small one would end in the inside of Python."""
+    run(HeatGaussian(**SMALL_HEAT), tmp_path / "heat.vtkhdf", 1.0, checkpoint_every=every)
+    assert Checkpoint.read(beside(tmp_path / "heat.vtkhdf")).facts["time"] == 1.0
+
+
 def test_another_case_is_refused(begun, tmp_path):
     """If it failed, the rest of a run would be of another case than its begin, without a word."""
     before = (tmp_path / "heat.vtkhdf").read_bytes()
