@@ -65,7 +65,9 @@ class Schedule:
         if cycles - self._cycles > ROUNDING:
             steps = max(int(np.ceil(rest / self._whole.dt - ROUNDING)), 1)
             self._last = CycleSteps(rest / steps, steps)
-        self._per_checkpoint = checkpoint_interval and max(round(checkpoint_interval / self._whole.duration), 1)
+        self._per_checkpoint = None
+        if checkpoint_interval is not None:
+            self._per_checkpoint = max(round(min(checkpoint_interval / self._whole.duration, MOST_STEPS)), 1)
         self._done = self._next = done  # whole cycles, and one more when the last one is done
 
     @property
