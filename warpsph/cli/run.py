@@ -211,7 +211,9 @@ def _conclude(name: str, result: Result, path: Path) -> None:
     if result.status == "interrupted":
         console.print(f"interrupted at {result.time:.4g} s; the frames until then are kept")
         if result.steps:
-            go_on = shlex.join(["warpsph", "run", name, "--resume", str(beside(path))])
-            console.print(Text(f"go on:   {go_on}"), soft_wrap=True)
+            go_on = ["warpsph", "run", name, "--resume", str(beside(path))]
+            if result_of(beside(path)) != path:  # its ending is in capitals
+                go_on += ["--output", str(path)]
+            console.print(Text(f"go on:   {shlex.join(go_on)}"), soft_wrap=True)
     console.print(Text(f"written: {path}"), soft_wrap=True)
     console.print(Text(f"next:    {shlex.join(['warpsph', 'render', str(path)])}"), soft_wrap=True)

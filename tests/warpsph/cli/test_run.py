@@ -124,6 +124,12 @@ def test_interruption_exits_130_and_keeps_the_frames(warpsph_command):
     assert ResultFile("out.vtkhdf").provenance["status"] == "interrupted"
 
 
+def test_the_command_to_go_on_names_a_result_whose_ending_is_in_capitals(warpsph_command):
+    """If it failed, the command that is printed would look for a file that is not there."""
+    outcome = warpsph_command("run", "ingot", "--set", "ending=interrupt", "--output", "OUT.VTKHDF")
+    assert "--resume OUT.checkpoint --output OUT.VTKHDF\n" in outcome.output
+
+
 def test_the_results_folder_is_made_when_it_is_named_too(warpsph_command):
     """If it failed, ``make run``, the first command that anybody tries, would fail in a fresh checkout."""
     assert warpsph_command("run", "ingot", "--output", "results/mine.vtkhdf").code == 0
