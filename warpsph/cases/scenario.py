@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterable
 from enum import Enum
 from importlib.metadata import version
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
@@ -113,7 +112,7 @@ class Scenario(BaseModel):
             "parameters": self.as_dict(),
         }
         if (begun := options.get("resume")) is not None:
-            options["resume"] = begun = begun if isinstance(begun, Checkpoint) else Checkpoint.read(Path(begun))
+            options["resume"] = begun = begun if isinstance(begun, Checkpoint) else Checkpoint.read(begun)
             self.refuse_other_case(begun)
         return simulation.run(**own | options)
 

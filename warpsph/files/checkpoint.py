@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from warpsph.errors import InputError
+from warpsph.errors import InputError, shown
 from warpsph.files.beside import hidden_until_whole
 from warpsph.files.packing import Arrays, pack, unpack
 
@@ -67,12 +67,13 @@ class Checkpoint:
             _keep_previous(path)
 
     @classmethod
-    def read(cls, path: Path) -> "Checkpoint":
+    def read(cls, path: str | Path) -> "Checkpoint":
         """Read a file of :meth:`write`.
 
         Raises:
             InputError: it is missing, damaged, or none of ours.
         """
+        path = as_path("resume", path)
         with _reading(path), zipfile.ZipFile(path) as archive:
             members = archive.infolist()
             if any(member.compress_type != zipfile.ZIP_STORED for member in members):
@@ -88,6 +89,17 @@ class Checkpoint:
                 if type(facts[name]) is not kind:
                     raise ValueError(f"'{name}' is no {kind.__name__}")
             return cls(facts, dict(unpack(tree["saved"], arrays)))
+
+
+def as_path(name: str, given: str | Path) -> Path:
+    """The path that an argument of that name gives.
+
+    Raises:
+        InputError: it is none.
+    """
+    if not isinstance(given, str | Path):
+        raise InputError(f"{name} = {shown(given)}: must be the name of a file")
+    return Path(given)
 
 
 def beside(result: Path) -> Path:

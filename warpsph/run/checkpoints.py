@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from warpsph.core.registry import Registry
-from warpsph.errors import InputError
-from warpsph.files.checkpoint import Checkpoint
+from warpsph.errors import InputError, WarpsphError
+from warpsph.files.checkpoint import Checkpoint, as_path, beside, previous
 from warpsph.files.output import ResultWriter
 from warpsph.run.schedule import Schedule
 from warpsph.run.timestep import StepPlan
@@ -33,6 +33,12 @@ class Checkpoints:
         Raises:
             WarpsphError: it cannot be written; the checkpoint before stays.
         """
+        try:
+            self._write(schedule, wall_time)
+        except InputError as error:  # a folder that has gone or been closed since the start is no wrong input
+            raise WarpsphError(str(error)) from None
+
+    def _write(self, schedule: Schedule, wall_time: float) -> None:
         facts = self.facts | {
             "written": datetime.now(UTC).isoformat(timespec="seconds"),
             "wall_time": wall_time,
@@ -48,6 +54,32 @@ class Checkpoints:
     def newest(self) -> dict[str, str]:
         """Where the newest checkpoint of this run is, for people; nothing where there is none."""
         return {} if self._newest is None else {"last checkpoint": f"{self.path}, at {self._newest:.6g} s"}
+
+
+def place_of_checkpoints(given: str | Path | None, every: float | None, output: str | Path | None) -> Path | None:
+    """Where the checkpoints of a run go: to the file ``given``, else beside its ``output``; None without both.
+
+    Raises:
+        InputError: none could be written there, which must not come to light at the end only.
+    """
+    if given is None:
+        if output is None and every is not None:
+            raise InputError("checkpoint_every: say where checkpoints go: give checkpoint, or output")
+        if not isinstance(output, str | Path) or not Path(output).name:
+            return None
+        path = beside(Path(output))
+    else:
+        path = as_path("checkpoint", given)
+        if not path.parent.is_dir():
+            raise InputError(f"{path}: there is no folder {path.parent}; make it first")
+    _refuse_no_file(path)
+    _refuse_no_file(previous(path))
+    return path
+
+
+def _refuse_no_file(place: Path) -> None:
+    if place.exists() and not place.is_file():
+        raise InputError(f"{place}: is no ordinary file, and checkpoints go there; move it, or choose another name")
 
 
 def identity(on_cuda: bool) -> dict[str, Any]:

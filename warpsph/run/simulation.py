@@ -20,9 +20,9 @@ from warpsph.core.state import Snapshot
 from warpsph.core.term import Term
 from warpsph.core.turns import in_turn
 from warpsph.errors import DivergenceError, InputError, number, numbers, shown
-from warpsph.files.checkpoint import Checkpoint, beside
+from warpsph.files.checkpoint import Checkpoint
 from warpsph.files.output import ResultWriter
-from warpsph.run.checkpoints import Checkpoints, continued_schedule, identity, refuse_foreign
+from warpsph.run.checkpoints import Checkpoints, continued_schedule, identity, place_of_checkpoints, refuse_foreign
 from warpsph.run.cycles import Cycles
 from warpsph.run.divergence import refuse_divergence
 from warpsph.run.estimate import Estimate, estimate_run, refuse_endless, refuse_full_disk
@@ -241,11 +241,12 @@ class Simulation:
             DivergenceError: the simulation diverged; the frames before are kept.
             WarpsphError: the file cannot be written any more, as on a full disk; the frames before are kept.
         """
-        begun = resume if isinstance(resume, Checkpoint | None) else Checkpoint.read(Path(resume))
+        begun = resume if isinstance(resume, Checkpoint | None) else Checkpoint.read(resume)
         schedule = self.schedule(duration, output_interval, checkpoint_every, begun)
         self.refuse_too_long(schedule, output)
         _refuse_no_functions(progress=progress)
         _refuse_other_kinds(parameters=({} if parameters is None else parameters, dict))
+        place = place_of_checkpoints(checkpoint, checkpoint_every, output)
         recorder = self.recorder
         recorder.begin(None)
         if begun:
@@ -253,7 +254,7 @@ class Simulation:
         recorder.writer = writer = self._open(output, overwrite, parameters or {}, begun)
         run_begin = begun.facts["run_begin"] if begun else schedule.begin
         constant = {"parameters": parameters or {}, "run_begin": run_begin}
-        checkpoints = self._checkpoints(checkpoint, checkpoint_every, writer, constant)
+        checkpoints = self._checkpoints(place, writer, constant)
         started = wall_clock.perf_counter() - (begun.facts["wall_time"] if begun else 0.0)
         status, ledgers = "failed", []
         interrupt = InterruptRequest()
@@ -319,16 +320,10 @@ class Simulation:
         quantities = {name: field.quantity for name, field in self.state.fields.items() if field.written}
         return ResultWriter(output, parameters, facts, overwrite, quantities)
 
-    def _checkpoints(
-        self, path: str | Path | None, every: float | None, writer: ResultWriter | None, constant: dict
-    ) -> Checkpoints | None:
-        if path is None and writer is not None:
-            path = beside(writer.path)
-        if path is None:
-            if every is not None:
-                raise InputError("checkpoint_every: say where checkpoints go: give checkpoint, or output")
+    def _checkpoints(self, place: Path | None, writer: ResultWriter | None, constant: dict) -> Checkpoints | None:
+        if place is None:
             return None
-        return Checkpoints(Path(path), self.registry, identity(self.executor.on_cuda) | constant, writer)
+        return Checkpoints(place, self.registry, identity(self.executor.on_cuda) | constant, writer)
 
     def _begin_with(self, schedule: Schedule) -> None:
         """Set the time step of a run's cycles, and before the very first step bring the initial state up to date."""

@@ -1,6 +1,7 @@
 """A run that is resumed from its checkpoint has the bits of one that was never stopped."""
 
 import pickle
+import shutil
 from contextlib import suppress
 from pathlib import Path
 
@@ -8,7 +9,7 @@ import numpy as np
 import pytest
 
 from warpsph.core.executor import available_cores
-from warpsph.errors import InputError
+from warpsph.errors import InputError, WarpsphError
 from warpsph.files.checkpoint import Checkpoint, beside, previous
 from warpsph.files.results import ResultFile
 from warpsph.run.result import Result
@@ -112,6 +113,47 @@ def test_any_distance_of_checkpoints_will_do(tmp_path, every):
     """If it failed, a very large or small one would end in the inside of Python."""
     run(HeatGaussian(**SMALL_HEAT), tmp_path / "heat.vtkhdf", 1.0, checkpoint_every=every)
     assert Checkpoint.read(beside(tmp_path / "heat.vtkhdf")).facts["time"] == 1.0
+
+
+@pytest.mark.parametrize("name", ["heat.checkpoint", "heat.checkpoint.previous"])
+def test_a_folder_in_the_place_of_a_checkpoint_is_refused_at_the_start(tmp_path, name):
+    """If it failed, a run would end at its first checkpoint, or a folder of the user would have another name."""
+    (tmp_path / name).mkdir()
+    with pytest.raises(InputError, match=f"{name}: is no ordinary file, and checkpoints go there"):
+        run(HeatGaussian(**SMALL_HEAT), tmp_path / "heat.vtkhdf", 1.0, checkpoint_every=0.5)
+    assert [path.name for path in tmp_path.iterdir()] == [name]
+
+
+@pytest.mark.parametrize(
+    ("given", "reason"),
+    [("no/x.checkpoint", "there is no folder no"), ("", "is no ordinary file"), (5, "must be the name of a file")],
+)
+def test_a_place_without_a_checkpoint_is_refused_at_the_start(given, reason):
+    """If it failed, a run of hours could not be gone on with when it is stopped, and would say so only then."""
+    with pytest.raises(InputError, match=reason):
+        HeatGaussian(**SMALL_HEAT).run("cpu", 1, checkpoint=given)
+
+
+def test_what_is_no_checkpoint_at_all_is_refused():
+    """If it failed, a mistake in a script would end in the inside of Python."""
+    with pytest.raises(InputError, match="resume = 5: must be the name of a file"):
+        HeatGaussian(**SMALL_HEAT).run("cpu", 1, resume=5)
+
+
+def test_a_folder_that_goes_during_a_run_is_no_wrong_input(tmp_path):
+    """If it failed, the exit code would say that nothing had been computed."""
+    folder = tmp_path / "folder"
+    folder.mkdir()
+    case = HeatGaussian(**SMALL_HEAT)
+    with pytest.raises(WarpsphError, match="cannot be written: No such file") as raised:
+        case.run(
+            "cpu",
+            1,
+            checkpoint=folder / "heat.checkpoint",
+            checkpoint_every=0.5,
+            progress=lambda now: folder.exists() and shutil.rmtree(folder),
+        )
+    assert not isinstance(raised.value, InputError)
 
 
 def test_another_case_is_refused(begun, tmp_path):
