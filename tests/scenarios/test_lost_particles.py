@@ -112,7 +112,7 @@ def test_observers_and_checks_stand_lost_particles(case, monkeypatch):
                     simulation.state.time.fill_(time)
                     simulation.recorder.keep()
                 with undefined_is_no_number():
-                    assert fate in UNCHECKED or isinstance(list(case.checks(simulation._result("", 1.0))), list)
+                    assert fate in UNCHECKED or isinstance(list(case.checks(simulation._result("", 1.0, 0, []))), list)
             except Exception as error:
                 raise AssertionError(what) from error
         assert len(simulation.recorder.series) > 2, what

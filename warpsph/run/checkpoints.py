@@ -111,20 +111,23 @@ def continued_schedule(
 ) -> Schedule:
     """The schedule of the run that was checkpointed, at its place in it; one that begins there for another interval.
 
+    A run that was killed between its last checkpoint and its end has no step left.
+
     Raises:
-        InputError: the checkpoint is at the end of the run already.
+        InputError: the checkpoint is beyond the end of the run.
     """
     facts = checkpoint.facts
     run_begin, time = facts["run_begin"], facts["time"]
+    end = run_begin + duration
+    anew = output_interval != facts["output_interval"]
     too_short = InputError(
         f"duration = {duration:g}: the checkpoint is at {time:g} s already; give a longer one (--until)"
     )
-    if not run_begin <= time < run_begin + duration:
+    if not run_begin <= time <= end or (anew and time == end):
         raise too_short
-    anew = output_interval != facts["output_interval"]
     begin, cycles = (time, 0) if anew else (facts["begin"], facts["cycles"])
     schedule = Schedule(plan, begin, duration + (run_begin - begin), output_interval, every, done=cycles)
-    if schedule.done:
+    if schedule.done and time < end:
         raise too_short
     if not abs(schedule.time - time) <= 1e-9 * max(abs(begin), abs(schedule.end)):
         raise InputError(

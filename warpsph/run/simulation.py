@@ -291,6 +291,8 @@ class Simulation:
     ) -> None:
         """Go on to the end of the schedule, or until somebody asks to stop."""
         stopping = interrupt.asked
+        if schedule.done and not schedule.at_frame:  # resumed at its end, whose frame no longer run has
+            self.recorder.keep()
         while not (schedule.done or stopping):
             cycles = schedule.next_batch(meter.cycles_at_once)
             self._cycles.replay(schedule.cycle_steps, cycles)

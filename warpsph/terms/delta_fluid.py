@@ -23,8 +23,8 @@ from warpsph.kernels.basics.smoothing import normalisation
 from warpsph.kernels.flow.corrected.scheme import FlowConstants, tell_parts
 from warpsph.kernels.flow.corrected.walls import continue_into_walls
 from warpsph.kernels.flow.delta import compression_pressure, correct, predict, sum_delta_rates
-from warpsph.terms.corrected_fluid import SAME_DENSITY, CorrectedFluid
-from warpsph.terms.weakly_compressible import DENSEST, SOUND_LIMIT, SQUEEZED, largest_shared_viscosity
+from warpsph.terms.corrected_fluid import MOST_SQUEEZED, SAME_DENSITY, CorrectedFluid
+from warpsph.terms.weakly_compressible import SOUND_LIMIT, SQUEEZED, largest_shared_viscosity
 
 SOUND_STEP, VISCOUS_STEP, GRAVITY_STEP = 0.4, 0.125, 0.25  # longest steps in dx / c, h^2 / nu and sqrt(h / g)
 
@@ -146,7 +146,7 @@ class DeltaFluid(Term):
         return model.support
 
     def bounds(self, model: Model, state: State) -> dict[str, Bound]:
-        return {"compression": Bound(-1.0, DENSEST - 1.0, SQUEEZED), "pressure": Bound(cause=SQUEEZED)}
+        return {"compression": Bound(-1.0, MOST_SQUEEZED, SQUEEZED), "pressure": Bound(cause=SQUEEZED)}
 
     def longest_steps(self, model: Model, moving: tuple[int, ...]) -> dict[str, float]:
         h, g = 0.5 * model.support, float(np.linalg.norm(model.gravity))

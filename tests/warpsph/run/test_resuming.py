@@ -162,7 +162,7 @@ def test_another_case_is_refused(begun, tmp_path):
     with pytest.raises(InputError, match=r"diffusivity = 0.002: was 0.001 when .* duration, output_interval"):
         resumed(begun, tmp_path / "heat.vtkhdf", diffusivity=0.002)
     with pytest.raises(InputError, match="at 2 s already; give a longer"):
-        resumed(begun, tmp_path / "heat.vtkhdf", duration=2.0)
+        resumed(begun, tmp_path / "heat.vtkhdf", duration=1.5)
     assert (tmp_path / "heat.vtkhdf").read_bytes() == before
 
 
@@ -242,3 +242,15 @@ def test_a_spray_may_fail_in_what_is_left(tmp_path):
         run(which, tmp_path / f"{name}.vtkhdf", 0.06, resume=checkpoint)
     assert different(tmp_path / "parts.vtkhdf", tmp_path / "whole.vtkhdf") == []
     assert different(tmp_path / "parts.vtkhdf", tmp_path / "other.vtkhdf") != []
+
+
+@pytest.mark.parametrize("end", [2.0, 1.5])
+def test_a_run_that_was_killed_at_its_very_end_is_finished(end, tmp_path):
+    """If it failed, such a run would stay "unfinished", and who resumes until the end would be told of wrong input."""
+    whole, parts = tmp_path / "whole.vtkhdf", tmp_path / "parts.vtkhdf"
+    case = HeatGaussian(**SMALL_HEAT | {"output_interval": 1.0, "step": 0.25})
+    for path in (whole, parts):
+        run(case, path, end, checkpoint_every=0.5)
+    result = run(case, parts, end, resume=beside(parts))
+    assert (result.time, result.status) == (end, "complete")
+    assert different(parts, whole) == []
