@@ -1,5 +1,6 @@
 """What a run will take, reckoned before it begins."""
 
+import os
 import shutil
 from collections import Counter
 from dataclasses import dataclass
@@ -88,13 +89,13 @@ def refuse_endless(estimate: Estimate, plan: StepPlan, output_interval: float, s
 
 
 def refuse_full_disk(estimate: Estimate, output: Path) -> None:
-    """Refuse a result file for which there is no room where it would be.
+    """Refuse a result file for which there is no room where it would be, which a symbolic link may name.
 
     Raises:
         InputError: how much it needs, and how much there is.
     """
     try:
-        free = shutil.disk_usage(output.absolute().parent).free
+        free = shutil.disk_usage(os.path.dirname(os.path.realpath(output))).free
     except OSError:
         return  # what is wrong with the folder is said when the file is made
     if estimate.disk > free:

@@ -82,6 +82,22 @@ def test_a_full_disk_is_foreseen(plate: Simulation, tmp_path: Path, monkeypatch:
     assert list(tmp_path.iterdir()) == []
 
 
+def test_the_disk_that_counts_is_that_of_the_file_behind_a_link(plate: Simulation, tmp_path: Path, monkeypatch):
+    """If it failed, a link from a small disk to a large one would be refused, and the other way round be taken."""
+    (tmp_path / "large").mkdir()
+    (tmp_path / "plate.vtkhdf").symlink_to("large/plate.vtkhdf")
+    looked = []
+
+    def usage(folder):
+        looked.append(Path(folder))
+        return type("Usage", (), {"free": 1e5})
+
+    monkeypatch.setattr("shutil.disk_usage", usage)
+    with pytest.raises(InputError, match=r"frames need .* of disk and 100 kB are free"):
+        plate.run(5.0, 0.01, output=tmp_path / "plate.vtkhdf")
+    assert looked == [tmp_path.resolve() / "large"]
+
+
 def test_a_look_at_the_start_leaves_the_run_as_it_is(tmp_path: Path):
     """If it failed, what is drawn as the start would not be where the run begins."""
     fields = []
