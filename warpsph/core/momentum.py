@@ -9,6 +9,7 @@ from warpsph.core.state import State
 from warpsph.core.term import acts_at
 
 FORCES = ("sum_forces", "add_forces", "sum_fast_forces", "add_fast_forces")
+MOTION = ("prescribe", "kick_little", "kick", "move")  # where walls, friction and sources set velocities
 ROUNDING = 1.0e-5  # relative: each step rounds the velocities of single precision, at random
 
 
@@ -19,13 +20,13 @@ def mass_by_id(state: State) -> Content:
 
 
 def momentum(model: Model, state: State, velocity: np.ndarray) -> dict[str, Content]:
-    """Momentum along each axis [kg m/s], where nothing but pairs of free particles act on each other; else nothing.
+    """Momentum along each axis [kg m/s], where every term that sets velocities says that it is kept; else nothing.
 
     Args:
         model, state: the case and its particles.
         velocity: of each of them (n, 3) [m/s].
     """
-    acting = [term for term in model.terms if any(acts_at(term, moment) for moment in FORCES)]
+    acting = [term for term in model.terms if any(acts_at(term, moment) for moment in FORCES + MOTION)]
     free = np.all(state.numpy("role") == Role.FREE) and not np.any(model.gravity)
     if not (acting and free and all(term.keeps_momentum for term in acting)):
         return {}

@@ -22,6 +22,7 @@ from warpsph.kernels.neighbours.wrapping import wrap
 class Motion(Term):
     """Positions follow velocities (n, 3) [m/s], compensated; the clock counts steps and simulated time."""
 
+    keeps_momentum = True
     provides: ClassVar[tuple[str, ...]] = ("motion",)
 
     id = Field(int, "", "number of the particle", written=True)

@@ -43,7 +43,8 @@ class Term:
             if isinstance(value, Field | Value) and hasattr(Term, name):
                 raise TypeError(f"{cls.__name__}: every term has something called '{name}'; choose another name")
 
-    # whether its forces are opposite in each pair, so that free bodies keep their momentum to rounding
+    # whether its forces are opposite in each pair, so that free bodies keep their momentum to rounding; asked of all
+    # that acts where there are forces, or where velocities change
     keeps_momentum: ClassVar[bool] = False
 
     @property

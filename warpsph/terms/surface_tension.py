@@ -27,7 +27,6 @@ class SurfaceTension(Tension):
     Parameters as of every :class:`~warpsph.terms.tension.Tension`.
     """
 
-    keeps_momentum = True
     provides = ("surface tension",)
 
     surface_normal = Field(wp.vec3, "1/m", "gradient of the colour field at the surface", kept=False)

@@ -8,7 +8,15 @@ import pytest
 from warpsph.core.executor import Executor
 from warpsph.files.results import ResultFile
 from warpsph.run.simulation import Simulation
-from warpsph.scenarios import HeatGaussian, HeatSlab, RubberRings
+from warpsph.scenarios import (
+    Drop,
+    HeatGaussian,
+    HeatSlab,
+    MeltingBlock,
+    MeltingRectangle,
+    MeltingTriangle,
+    RubberRings,
+)
 
 HEAT = {"spacing": 0.04, "duration": 2.0, "output_interval": 0.5}
 
@@ -40,6 +48,21 @@ def test_momentum_is_kept_where_it_should_be():
     assert found["momentum along x"].closes
     assert found["momentum along y"].closes
     assert "heat" not in found
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        Drop(rows=6, duration=0.1, output_interval=0.1),
+        MeltingRectangle(gravity=0.0, duration=0.1),
+        MeltingTriangle(gravity=0.0, duration=0.1, strengths=(0.9,), until=(0.1,)),
+        MeltingBlock(gravity=0.0, columns=10, rows=10, duration=0.1, output_interval=0.1),
+    ],
+    ids=lambda case: case.name,
+)
+def test_momentum_is_not_asked_for_where_it_is_not_kept(case):
+    """If it failed, a floor, a source, friction or a surface would be reported as a fault of the program."""
+    assert [ledger.quantity for ledger in case.run("cpu", 1).ledgers if "momentum" in ledger.quantity] == []
 
 
 def warm(state) -> None:
