@@ -7,7 +7,7 @@ from typing import Any
 
 from warpsph.core.registry import Registry
 from warpsph.errors import InputError, WarpsphError
-from warpsph.files.checkpoint import Checkpoint, as_path, beside, previous
+from warpsph.files.checkpoint import SUFFIX, Checkpoint, as_path, beside, previous
 from warpsph.files.output import ResultWriter
 from warpsph.run.schedule import Schedule
 from warpsph.run.timestep import StepPlan
@@ -70,6 +70,8 @@ def place_of_checkpoints(given: str | Path | None, every: float | None, output: 
         path = beside(Path(output))
     else:
         path = as_path("checkpoint", given)
+        if path.suffix != SUFFIX:  # a result, say, which the next checkpoints would replace
+            raise InputError(f"checkpoint = {path}: give a name that ends in {SUFFIX}")
         if not path.parent.is_dir():
             raise InputError(f"{path}: there is no folder {path.parent}; make it first")
     _refuse_no_file(path)

@@ -126,7 +126,12 @@ def test_a_folder_in_the_place_of_a_checkpoint_is_refused_at_the_start(tmp_path,
 
 @pytest.mark.parametrize(
     ("given", "reason"),
-    [("no/x.checkpoint", "there is no folder no"), ("", "is no ordinary file"), (5, "must be the name of a file")],
+    [
+        ("no/x.checkpoint", "there is no folder no"),
+        ("", "ends in .checkpoint"),
+        ("heat.vtkhdf", "ends in .checkpoint"),
+        (5, "must be the name of a file"),
+    ],
 )
 def test_a_place_without_a_checkpoint_is_refused_at_the_start(given, reason):
     """If it failed, a run of hours could not be gone on with when it is stopped, and would say so only then."""
