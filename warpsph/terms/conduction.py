@@ -235,10 +235,13 @@ class Conduction(Term):
         return self.arrays["wall_flux"]
 
     def contents(self, model: Model, state: State) -> dict[str, Content]:
-        present = state.numpy("role") != Role.RESERVOIR
+        return {"heat": self.heat_of(state, state.numpy("role") != Role.RESERVOIR)}
+
+    def heat_of(self, state: State, which: np.ndarray) -> Content:
+        """Heat of ``which`` (n,) of the particles [J], with what single precision has lost of it."""
         enthalpy = state.numpy("enthalpy").astype(float) - state.numpy("enthalpy_carry")
-        heat = (state.numpy("mass") * enthalpy)[present]
-        return {"heat": Content(float(np.sum(heat)), float(np.sum(np.abs(heat))), "J", self.heat_lost)}
+        heat = (state.numpy("mass") * enthalpy)[which]
+        return Content(float(np.sum(heat)), float(np.sum(np.abs(heat))), "J", self.heat_lost)
 
     def gains(self, state: State) -> dict[str, dict[str, float | np.ndarray]]:
         held, walls = float(np.sum(state.numpy("heat_held"))), float(np.sum(self.heat_to_walls()))

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
+from warpsph.core.content import Content
 from warpsph.core.field import Field
 from warpsph.core.labels import Role
 from warpsph.core.launch import Launch
@@ -81,6 +82,11 @@ class GradientWalls(Term):
 
     def bounded_axes(self, model: Model) -> tuple[int, ...]:
         return axes_across(*(wall.normal for wall in self.walls))
+
+    def contents(self, model: Model, state: State) -> dict[str, Content]:
+        """The heat of the body, without the particles on the walls, which have none of their own."""
+        body = (state.numpy("role") != Role.RESERVOIR) & (state.numpy("on_gradient_walls") == 0)
+        return {"heat": model.the(Conduction).heat_of(state, body)}
 
     def constants(self, model: Model, state: State) -> dict[str, object]:
         conduction = model.the(Conduction)

@@ -86,7 +86,7 @@ STRIKES = {
     "a negative density": (("density", -5.0, *FLOW), "density -5 kg/m^3, must be above 0 and below 2000"),
     "a pressure is no number": (("pressure", NAN, *FLOW), "pressure nan Pa, must be a number"),
     "torn apart": (("compression", -1.5, CorrectedFluid(1000.0, 30.0)), "density over the reference density, less one"),
-    "squeezed": (("compression", 4.0, DeltaFluid(1000.0, 30.0)), "less one 4, must be above -1 and below 1"),
+    "squeezed": (("compression", 9.0, DeltaFluid(1000.0, 30.0)), "less one 9, must be above -1 and below 4"),
     "heat alone": (("enthalpy", NAN, Conduction(longest_interval=0.005)), "specific enthalpy nan J/kg"),
     "implicit conduction": (("enthalpy", NAN, IMPLICIT), "specific enthalpy nan J/kg"),
     "heat in a flow": (("enthalpy", np.inf, Conduction(), *FLOW), "specific enthalpy inf J/kg"),
