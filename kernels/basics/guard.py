@@ -51,13 +51,17 @@ class Offence:
 
 
 @wp.func
+def within(value: float, lower: float, upper: float) -> bool:
+    return value > lower and value < upper
+
+
+@wp.func
 def offending_quantity(
     i: int, x: wp.vec3, u: wp.vec3, speed_limit_squared: float, bounded: wp.array[Bounded], none: int
 ) -> int:
     """Which quantity of particle i is beyond its bounds, the first one of several; ``none`` where all is well."""
     for k in range(bounded.shape[0]):
-        value = bounded[k].values[i]
-        if not (value > bounded[k].lower and value < bounded[k].upper):
+        if not within(bounded[k].values[i], bounded[k].lower, bounded[k].upper):
             return k
     if not (wp.dot(u, u) < speed_limit_squared):
         return none - 2
@@ -94,11 +98,6 @@ def keep_offence(
     for k in range(bounded.shape[0]):
         offence.numbers[wp.static(NUMBERS) + k] = wp.float64(bounded[k].values[i])
     offence.state[0] = NOTED
-
-
-@wp.func
-def within(value: float, lower: float, upper: float) -> bool:
-    return value > lower and value < upper
 
 
 def _make(fields: int) -> Callable[..., None]:

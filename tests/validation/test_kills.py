@@ -20,7 +20,7 @@ from warpsph.errors import InputError
 from warpsph.files.checkpoint import Checkpoint, beside, previous
 from warpsph.files.results import ResultFile
 
-KILLS = int(os.environ.get("WARPSPH_KILLS", "3"))  # in all
+KILLS = int(os.environ.get("WARPSPH_KILLS", "4"))  # in all
 HEAT = ["heat_gaussian", "--set", "spacing=0.02", "--every", "0.05", "--until", "60", "--checkpoint-every", "0.32"]
 STRAND = [
     "casting", "--set", "spacing=0.006", "spray_flux=0.8", "--every", "0.004", "--until", "0.2",
