@@ -5,6 +5,7 @@ from pathlib import Path
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.patheffects import withStroke
 
 from warpsph.cases.case import preset_layer, resolve
 from warpsph.files.results import ResultFile
@@ -83,7 +84,8 @@ def _label_events(panel: Axes, events: list[tuple[float, str]], top: float) -> N
         panel.axvline(time, color="w", lw=1, ls="--")
         after = time < 0.3 * panel.get_xlim()[1] or OUTFLOW in text
         side, name = ("left", f" {name}") if after else ("right", f"{name} ")
-        panel.text(time, (0.95 - 0.06 * k) * top, name, color="w", ha=side, va="center", fontsize=10)
+        label = panel.text(time, (0.95 - 0.06 * k) * top, name, color="w", ha=side, va="center", fontsize=10)
+        label.set_path_effects([withStroke(linewidth=2, foreground="#26292e")])  # it may stand on white
 
 
 def event_times(result: ResultFile) -> list[float]:
