@@ -30,6 +30,7 @@ from warpsph.terms.solute import Solute
 from warpsph.terms.summed_density import SummedDensity
 from warpsph.terms.surface_tension import SurfaceTension
 from warpsph.terms.thermal_viscosity import ThermalViscosity
+from warpsph.terms.wall_friction import WallFriction
 from warpsph.terms.whole_phases import WholePhases
 
 __all__ = [
@@ -66,6 +67,7 @@ __all__ = [
     "SummedDensity",
     "SurfaceTension",
     "ThermalViscosity",
+    "WallFriction",
     "WholePhases",
     "cut_cells",
 ]
