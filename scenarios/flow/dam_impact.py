@@ -22,6 +22,7 @@ from warpsph.scenarios.flow.lobovsky import EXPERIMENT, GAUGES, SENSORS, publish
 from warpsph.terms import CorrectedFluid
 
 ARRIVED = 0.2  # part of rho g H at which the wave is at a sensor
+GAP = 2.0  # spacings between the water and what flies above it
 PLATEAU = (3.5, 5.5)  # between the impact and the wave that comes back, over sqrt(H / g)
 
 
@@ -106,8 +107,8 @@ class DamImpact(Scenario):
             values[name] = Measured(mean / self.load, "", f"{1e3 * height:g} mm", panel="pressure over rho g H")
         for name, place in GAUGES.items():
             column = x_water[np.abs(x_water[:, 0] - place) < dx, 1]
-            level = (column.max() + 0.5 * dx) / self.height if len(column) else 0.0
-            values[name] = Measured(float(level), "", f"x = {place:g} m", panel="level over H")
+            level = top_of_water(column, dx) / self.height
+            values[name] = Measured(level, "", f"x = {place:g} m", panel="level over H")
         outside = (x_water[:, 0] < 0.0) | (x_water[:, 0] > self.end) | (x_water[:, 1] < 0.0)
         values["escaped"] = Measured(float(np.sum(outside)), "", "particles outside the tank")
         return values
@@ -172,6 +173,13 @@ class DamImpact(Scenario):
     def _escaped(self, result: Result) -> Check:
         most = float(result.diagnostics["escaped"].max())
         return Check(self.name, self._named("particles outside the tank"), "", most, None, 0.0, "a tank is tight")
+
+
+def top_of_water(heights: np.ndarray, spacing: float) -> float:
+    """Level [m] of water on the bed from the ``heights`` (n,) [m] of its particles; drops in flight do not count."""
+    rows = np.concatenate(([-0.5 * spacing], np.sort(heights)))
+    gaps = np.flatnonzero(np.diff(rows) > GAP * spacing)
+    return float(rows[gaps[0]] if len(gaps) else rows[-1]) + 0.5 * spacing
 
 
 def arrival(time: np.ndarray, pressure: np.ndarray) -> float | None:

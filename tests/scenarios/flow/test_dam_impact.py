@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.cases.case import Layer, resolve
 from warpsph.errors import InputError
-from warpsph.scenarios.flow.dam_impact import DamImpact, arrival
+from warpsph.scenarios.flow.dam_impact import DamImpact, arrival, top_of_water
 from warpsph.scenarios.flow.lobovsky import GAUGES, SENSORS, published_level, published_pressure
 
 
@@ -24,6 +24,14 @@ def test_arrival_is_between_two_outputs():
     """Otherwise the arrival would be late by an interval of output."""
     assert arrival(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.1, 0.3])) == pytest.approx(2.5)
     assert arrival(np.array([1.0, 2.0]), np.array([0.0, 0.1])) is None
+
+
+def test_level_is_that_of_the_water_on_the_bed():
+    """Otherwise a single drop in flight would be a level of four times the height of the column."""
+    assert top_of_water(np.array([0.35, 0.05, 0.15, 0.26]), 0.1) == pytest.approx(0.4)
+    assert top_of_water(np.array([0.05, 0.15, 4.0]), 0.1) == pytest.approx(0.2)
+    assert top_of_water(np.array([0.6]), 0.1) == 0.0
+    assert top_of_water(np.array([]), 0.1) == 0.0
 
 
 def test_wave_arrives_in_time_and_nothing_escapes(device):
