@@ -19,7 +19,7 @@ from warpsph.run.measured import Measured, Values
 from warpsph.run.result import Result
 from warpsph.run.simulation import Simulation
 from warpsph.scenarios.flow.lobovsky import EXPERIMENT, GAUGES, SENSORS, published_level, published_pressure
-from warpsph.terms import CorrectedFluid
+from warpsph.terms import CorrectedFluid, WallFriction
 
 ARRIVED = 0.2  # part of rho g H at which the wave is at a sensor
 GAP = 2.0  # spacings between the water and what flies above it
@@ -27,7 +27,7 @@ PLATEAU = (3.5, 5.5)  # between the impact and the wave that comes back, over sq
 
 
 class DamImpact(Scenario):
-    """Water without friction at the walls; its column is 0.6 m wide and 0.3 m high in a tank 1.61 m long."""
+    """Water that rubs along smooth walls; its column is 0.6 m wide and 0.3 m high in a tank 1.61 m long."""
 
     name = "dam_impact"
     summary = "a column of water collapses and hits a wall: levels and pressures of an experiment"
@@ -41,7 +41,9 @@ class DamImpact(Scenario):
     width: float = parameter(0.6, "m", "width of the column", ge=0.01, le=10.0)
     length: float = parameter(1.61, "m", "length of the tank, rounded to the spacing", ge=0.02, le=100.0)
     density: float = parameter(997.0, "kg/m^3", "density of the water", ge=1.0, le=2e4)
-    viscosity: float = parameter(0.0, "Pa s", "dynamic viscosity of the water; walls let it slip", ge=0.0, le=100.0)
+    viscosity: float = parameter(
+        8.9e-4, "Pa s", "dynamic viscosity of the water; with 0 it does not rub at walls", ge=0.0, le=100.0
+    )
     sound_ratio: float = parameter(10.0, "", "speed of sound over sqrt(2 g H)", ge=5.0, le=100.0)
     sensor: float = parameter(4.2e-3, "m", "diameter over which a sensor averages", gt=0.0, le=0.1)
 
@@ -81,7 +83,7 @@ class DamImpact(Scenario):
             dimension=2,
             spacing=dx,
             materials=(fluid_material("water", self.density, self.viscosity), solid_material("tank", self.density)),
-            terms=(CorrectedFluid(self.density, sound_speed, free_surface=True),),
+            terms=(CorrectedFluid(self.density, sound_speed, free_surface=True), WallFriction()),
         )
         water = lattice((0.0, 0.0), (self.width, H), dx)
         walls = tank((0.0, 0.0), (self.end, 4.0 * H), dx)
