@@ -50,7 +50,7 @@ def _find_gradients(space: Space) -> Callable[..., None]:
         next_slope: wp.array[wp.vec3],
     ):
         """Write what each fluid particle's surroundings say, each (n,): where it is in the fluid (``surface``), its
-        ``moment`` matrix, ``velocity_gradient`` and ``divergence`` [1/s], ``compression_rate`` [1/s] and
+        ``moment`` matrix, ``velocity_gradient`` and its trace, ``divergence`` [1/s], ``compression_rate`` [1/s] and
         ``next_slope``, the gradient of the compression [1/m].
 
         Continuity with the diffusion of delta-SPH (Antuono et al. 2010), gradients corrected by the inverse of the
@@ -100,14 +100,15 @@ def _find_gradients(space: Space) -> Callable[..., None]:
                     place = NEAR
             L = correction_of(M)
             corrected = widen_matrix(grad_u) * L
-            div_u = wp.trace(corrected)
+            corrected_div_u = wp.trace(corrected)
+            div_u = corrected_div_u
             if place != INTERIOR:
                 div_u = wp.trace(grad_u)
             sound_speed = wp.sqrt(flow.bulk_modulus * flow.volume / mass[i])
             surface[i] = place
             moment[i] = M
             velocity_gradient[i] = corrected
-            divergence[i] = div_u
+            divergence[i] = corrected_div_u
             compression_rate[i] = flow.diffusion * sound_speed * smoothing - div_u
             next_slope[i] = L * widen(grad_s)
 

@@ -23,7 +23,7 @@ def test_patch_becomes_the_ellipse(start, device):
     """Tension or noise at the surface would tear the patch, let it swell, or slow it down."""
     case = FreePatch(rows=24, start=start)
     result = case.run(device=device)
-    assert abs(case.change(result, "kinetic_energy")) < 0.015  # twice to three times as much as with 50 rows
+    assert abs(case.change(result, "kinetic_energy")) < 0.012  # twice that of 50 rows; 0.015 where strain is damped
     assert abs(case.change(result, "area")) < 0.02
     exact = case.exact.semi_axes(result.diagnostics["time"])[-1]
     measured = [1.0 + case.change(result, name) for name in ("length", "width")]
