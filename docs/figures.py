@@ -480,6 +480,7 @@ def cavity_flow_profiles(picture: Path) -> None:
     draw_cavity_flow({re: simulated("cavity_flow", None, *given) for re, given in settings.items()}, picture)
 
 
+@figure
 def dam_impact(picture: Path) -> None:
     """The wave before, at and after the impact, and when it comes back, coloured by pressure."""
     render_series(simulated("dam_impact"), picture, [0.0, 0.35, 0.6, 1.2], field="pressure")
