@@ -1,11 +1,8 @@
 """A column of water collapses and hits the far wall: levels and pressures against those of an experiment."""
 
-from collections.abc import Callable, Iterable
-
 import numpy as np
 from pydantic import model_validator
 
-from warpsph.cases.case import preset_layer, resolve
 from warpsph.cases.check import Check
 from warpsph.cases.scenario import Scenario, parameter
 from warpsph.core.executor import Executor
@@ -21,7 +18,7 @@ from warpsph.run.simulation import Simulation
 from warpsph.scenarios.flow.lobovsky import EXPERIMENT, GAUGES, SENSORS, published_level, published_pressure
 from warpsph.terms import CorrectedFluid, WallFriction
 
-ARRIVED = 0.2  # part of rho g H at which the wave is at a sensor
+ARRIVED = 0.1  # part of rho g H at which the wave is at a sensor: five times the noise of the experiment
 GAP = 2.0  # spacings between the water and what flies above it
 PLATEAU = (3.5, 5.5)  # between the impact and the wave that comes back, over sqrt(H / g)
 
@@ -32,11 +29,11 @@ class DamImpact(Scenario):
     name = "dam_impact"
     summary = "a column of water collapses and hits a wall: levels and pressures of an experiment"
     source = EXPERIMENT
-    presets = ("fine",)
+    presets = ("coarse",)
 
     duration: float = parameter(1.23, "s", "physical time to simulate", gt=0, le=100.0)
     output_interval: float = parameter(3.5e-3, "s", "physical time between two frames and diagnostics", gt=0, le=100.0)
-    rows: int = parameter(40, "", "rows of particles over the height of the column", ge=8, le=400)
+    rows: int = parameter(80, "", "rows of particles over the height of the column", ge=8, le=400)
     height: float = parameter(0.3, "m", "height H of the column", ge=0.01, le=10.0)
     width: float = parameter(0.6, "m", "width of the column", ge=0.01, le=10.0)
     length: float = parameter(1.61, "m", "length of the tank, rounded to the spacing", ge=0.02, le=100.0)
@@ -115,17 +112,10 @@ class DamImpact(Scenario):
         values["escaped"] = Measured(float(np.sum(outside)), "", "particles outside the tank")
         return values
 
-    @classmethod
-    def verify(cls, simulate: Callable[[Scenario], Result], slow: bool) -> Iterable[Check]:
-        """The default; and, where there is time, finer."""
-        cases = [cls(), *(resolve(cls, [preset_layer(cls, "fine")]) for _ in range(slow))]
-        for case in cases:
-            yield from case.checks(simulate(case))
-
     def checks(self, result: Result) -> list[Check]:
         series, rows = result.diagnostics, [self._escaped(result)]
         time = series["time"] / self.moment
-        for name in ("p1", "p2", "p3"):
+        for name in SENSORS:
             measured, published = arrival(time, series[name]), arrival(*published_pressure(name))
             if measured is not None and published is not None:
                 rows.append(
@@ -145,7 +135,7 @@ class DamImpact(Scenario):
                         mean_between(time, series[name]),
                         mean_between(*published_pressure(name)),
                         0.15,
-                        "a sheet that runs up the wall and falls back, some rows thick, and no air",
+                        "a boundary layer on the bed a row or two thick, no side walls, and no air",
                     )
                 )
         for name, place in GAUGES.items():

@@ -22,8 +22,8 @@ def test_published_tables_are_whole():
 
 def test_arrival_is_between_two_outputs():
     """Otherwise the arrival would be late by an interval of output."""
-    assert arrival(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.1, 0.3])) == pytest.approx(2.5)
-    assert arrival(np.array([1.0, 2.0]), np.array([0.0, 0.1])) is None
+    assert arrival(np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.05, 0.15])) == pytest.approx(2.5)
+    assert arrival(np.array([1.0, 2.0]), np.array([0.0, 0.05])) is None
 
 
 def test_level_is_that_of_the_water_on_the_bed():
