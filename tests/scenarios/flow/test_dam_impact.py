@@ -5,7 +5,7 @@ import pytest
 
 from warpsph.cases.case import Layer, resolve
 from warpsph.errors import InputError
-from warpsph.scenarios.flow.dam_impact import DamImpact, arrival, top_of_water
+from warpsph.scenarios.flow.dam_impact import DamImpact, arrival, mean_between, top_of_water
 from warpsph.scenarios.flow.lobovsky import GAUGES, SENSORS, published_level, published_pressure
 
 
@@ -45,6 +45,19 @@ def test_wave_arrives_in_time_and_nothing_escapes(device):
     levels = [check for check in scenario.checks(result) if "level" in check.quantity]
     assert len(levels) == 4
     assert all(check.passed for check in levels)
+
+
+def test_friction_takes_pressure_out_of_the_corner():
+    """Water that kept its whole head along the bed would stop in the corner with a third more than the experiment."""
+    pressures = []
+    for viscosity in (8.9e-4, 0.0):
+        scenario = DamImpact(rows=16, duration=0.97, viscosity=viscosity)
+        series = scenario.run(device="cpu", threads=1).diagnostics
+        time = series["time"] / scenario.moment
+        pressures.append([mean_between(time, series[name]) for name in SENSORS])
+    rubbed, slipped = pressures
+    assert rubbed[0] < 0.95 * slipped[0]
+    assert rubbed[3] > slipped[3]
 
 
 @pytest.mark.parametrize("viscosity", [0.1, 1.0])
