@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.machine.exchange import Exchange, bring_in, next_parked, take_out
-from warpsph.kernels.machine.rolls import RollConstants, depth_in_roll
+from warpsph.kernels.machine.rolls import RollConstants, way_from_roll
 from warpsph.kernels.neighbours.pairs import NeighbourList, difference, entry_of, index_of
 
 wp.set_module_options({"enable_backward": False})
@@ -110,9 +110,9 @@ def emit(
 def beside_rolls(rolls: RollConstants, away: float, height: float, velocity: wp.vec2) -> wp.vec2:
     """What is left of a velocity (away, up) beside the rolls, into which water cannot run."""
     for roll in range(rolls.heights.shape[0]):
-        contact = depth_in_roll(rolls, roll, away, height)
-        normal = wp.vec2(contact[1], contact[2])
-        if contact[0] > 0.0:
+        way = way_from_roll(rolls, roll, away, height)
+        normal = wp.vec2(way[1], way[2])
+        if way[0] < rolls.clearance:
             velocity -= wp.min(wp.dot(velocity, normal), 0.0) * normal
     return velocity
 

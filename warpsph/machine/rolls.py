@@ -15,6 +15,9 @@ from warpsph.errors import require
 from warpsph.kernels.machine.rolls import RollConstants, press
 from warpsph.terms.elasticity import Elasticity
 
+# In spacings. A shell of which the melt leans on rolls a hundred spacings down then has its face where theirs is.
+REACH = 1.0
+
 
 @dataclass(frozen=True, eq=False)
 class Rolls(Term):
@@ -48,12 +51,13 @@ class Rolls(Term):
         return {"rolls": self.pack(model, state)}
 
     def pack(self, model: Model, state: State) -> RollConstants:
-        """Its constants for the device; a roll is as stiff as the solid is over one spacing."""
+        """Its constants for the device; four spacings deep in a roll, it is as stiff as the solid is over one."""
         lame_lambda, lame_mu = model.the(Elasticity).lame
         rolls = RollConstants()
         rolls.face, rolls.radius, rolls.clearance = self.face, self.radius, 0.5 * model.spacing
         rolls.heights = wp.array(np.asarray(self.heights, float), dtype=float, device=state.device)
-        rolls.stiffness = (lame_lambda + 2.0 * lame_mu) * model.spacing ** (model.dimension - 2)
+        rolls.reach = REACH * model.spacing
+        rolls.stiffness = (lame_lambda + 2.0 * lame_mu) / 8.0 * model.spacing ** (model.dimension - 3)
         return rolls
 
     def surface(self, spacing: float, length: float = 0.0) -> np.ndarray:
