@@ -28,8 +28,8 @@ SMALLEST_VOLUME = wp.constant(0.1)  # over the one at freezing, below which a de
 class BondList:
     """Rows of bonds: ``count`` (n,), and for each bond (n * capacity,) its ``partner``, its ``separation`` x_i - x_j at
     freezing [m], there the normalised ``slope`` W'/r and ``value`` W of the smoothing kernel, and what it bears besides
-    the elastic force: the ``borne`` force on the particle [N], in 2D [N/m], before the deformation. ``whole`` is the
-    force of the bond while bonds come and go."""
+    the elastic force, until that has faded: the ``borne`` force on the particle [N], in 2D [N/m], turned back like the
+    separation. ``whole`` is the force of the bond while bonds come and go."""
 
     count: wp.array[int]
     partner: wp.array[int]

@@ -3,15 +3,15 @@
 import warp as wp
 
 from warpsph.kernels.neighbours.pairs import NeighbourList, precise_difference
-from warpsph.kernels.solid.bonds import SMALLEST_VOLUME, UNCHANGED, BondList, partner_of, place_of
-from warpsph.kernels.solid.elasticity import force_of_bond
+from warpsph.kernels.solid.bonds import UNCHANGED, BondList, partner_of, place_of, turn_of
+from warpsph.kernels.solid.elasticity import borne_force, force_of_bond
 from warpsph.kernels.solid.strain import ElasticConstants
 
 wp.set_module_options({"enable_backward": False})
 
-# The largest eigenvalue of the correction at both ends, above which a bond bears the fluid's force only. It is 1 inside
-# a body and 2 at a face. A force that is borne turns and stretches with a deformation that such a particle measures by
-# that much too large, and does not yield as a stress does: it throws thin rows apart.
+# The largest eigenvalue of the correction at both ends, above which a bond bears little. It is 1 inside a body and 2 at
+# a face. What is borne does not yield as a stress does, and turns with a deformation that such a particle measures by
+# that much too large: it would throw thin rows apart that are strained by tens of per cent.
 WELL_HELD = wp.constant(4.0)
 
 
@@ -19,6 +19,18 @@ WELL_HELD = wp.constant(4.0)
 def is_well_held(correction: wp.mat33) -> bool:
     _, stretch = wp.eig3(correction)
     return wp.max(stretch) < WELL_HELD
+
+
+@wp.kernel
+def fade_bond_forces(first: int, interval: float, fading_time: float, least_force: float, bonds: BondList):
+    """Let what bonds bear fade over ``fading_time`` [s] while an ``interval`` [s] passes, below ``least_force`` to 0."""
+    i = wp.tid() + first
+    if bonds.count[i] > 0:
+        left = wp.exp(-interval / fading_time)
+        for b in range(bonds.count[i]):
+            place = place_of(bonds, i, b)
+            force = left * bonds.borne[place]
+            bonds.borne[place] = wp.where(wp.length_sq(force) > least_force * least_force, force, wp.vec3())
 
 
 @wp.kernel
@@ -47,7 +59,7 @@ def find_bond_forces(
         force = force_of_bond(
             elastic, bonds, place, x, body_volume[j], F * bonds.separation[place], stress[i] + stress[j]
         )
-        bonds.whole[place] = force * body_volume[i] + F * (0.5 * bonds.borne[place])
+        bonds.whole[place] = force * body_volume[i] + borne_force(bonds, place, F, elastic.planar)
 
 
 @wp.kernel
@@ -59,6 +71,7 @@ def keep_bond_forces(
     position: wp.array[wp.vec3],
     position_carry: wp.array[wp.vec3],
     body_volume: wp.array[float],
+    little_force: float,
     rebonded: wp.array[int],
     froze: wp.array[int],
     was_held: wp.array[int],
@@ -71,7 +84,8 @@ def keep_bond_forces(
     Strain is kept there, but not what it does: with other neighbours the divergence of the stress has other weights,
     and what joins a strained body would at once be pushed by the stress of that. Nor would what freezes bear the
     pressure that it had as a fluid: it would set off at p / (rho c), some 0.2 m/s in a mould. So a new bond begins with
-    the force that the pair had before, and one that stays keeps its own.
+    the force that the pair had before, and one that stays keeps its own, until it has faded. Ends that are not well
+    held bear nothing that is more than a ``little_force`` [N], in 2D [N/m].
     """
     i = wp.tid() + first
     for b in range(bonds.count[i]):
@@ -79,18 +93,13 @@ def keep_bond_forces(
         j = partner_of(bonds, place)
         if rebonded[i] != UNCHANGED or rebonded[j] != UNCHANGED:
             F = deformation[i] + deformation[j]
-            is_new = froze[i] != 0 or froze[j] != 0
-            if wp.determinant(0.5 * F) <= SMALLEST_VOLUME:
-                bonds.borne[place] = wp.vec3()
-            elif (
-                is_well_held(correction[i])
-                and is_well_held(correction[j])
-                and (is_new or (was_held[i] != 0 and was_held[j] != 0))
-            ):
-                x = precise_difference(neighbours, position, position_carry, i, j)
-                force = force_of_bond(
-                    elastic, bonds, place, x, body_volume[j], F * bonds.separation[place], stress[i] + stress[j]
-                )
-                bonds.borne[place] = wp.inverse(0.5 * F) * (bonds.whole[place] - force * body_volume[i])
-            elif is_new:
-                bonds.borne[place] = wp.inverse(0.5 * F) * bonds.whole[place]
+            x = precise_difference(neighbours, position, position_carry, i, j)
+            force = force_of_bond(
+                elastic, bonds, place, x, body_volume[j], F * bonds.separation[place], stress[i] + stress[j]
+            )
+            rest = bonds.whole[place] - force * body_volume[i]
+            held_now = is_well_held(correction[i]) and is_well_held(correction[j])
+            held_before = froze[i] != 0 or froze[j] != 0 or (was_held[i] != 0 and was_held[j] != 0)
+            if wp.length(rest) > little_force and not (held_now and held_before):
+                rest = wp.vec3()
+            bonds.borne[place] = wp.transpose(turn_of(F, elastic.planar)) * rest

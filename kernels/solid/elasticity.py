@@ -4,7 +4,7 @@ import warp as wp
 
 from warpsph.kernels.basics.labels import Role
 from warpsph.kernels.neighbours.pairs import NeighbourList, precise_difference
-from warpsph.kernels.solid.bonds import BondList, partner_of, place_of
+from warpsph.kernels.solid.bonds import BondList, partner_of, place_of, turn_of
 from warpsph.kernels.solid.strain import ElasticConstants, gradient_of_bonds
 
 wp.set_module_options({"enable_backward": False})
@@ -88,6 +88,15 @@ def force_of_bond(
     return force
 
 
+@wp.func
+def borne_force(bonds: BondList, place: int, F: wp.mat33, planar: int) -> wp.vec3:
+    """What a bond bears besides its elastic force [N], turned as the deformations of both ends, added, have turned."""
+    force = bonds.borne[place]
+    if wp.length_sq(force) > 0.0:
+        force = turn_of(F, planar) * force
+    return force
+
+
 @wp.kernel
 def add_elastic_forces(
     first: int,
@@ -106,8 +115,7 @@ def add_elastic_forces(
     """Add the elastic acceleration of bonded particles to ``acceleration`` (n,) [m/s^2].
 
     Vijaykumar (2012), equations (4.13), (4.14); zero-energy modes are held down as by Ganzenmueller (2015). What bonds
-    bear besides turns and stretches with the deformation of both ends: along the distance of the particles it would
-    feed the zero-energy modes.
+    bear besides turns with them: along the distance of the particles it would feed the zero-energy modes.
     """
     i = wp.tid() + first
     if bonds.count[i] > 0 and role[i] == Role.FREE:
@@ -123,5 +131,5 @@ def add_elastic_forces(
             force += force_of_bond(
                 elastic, bonds, place, x, body_volume[j], F * bonds.separation[place], P_i + stress[j]
             )
-            borne += F * (0.5 * bonds.borne[place])
+            borne += borne_force(bonds, place, F, elastic.planar)
         acceleration[i] += (force * body_volume[i] + borne) / mass[i]

@@ -28,7 +28,7 @@ from warpsph.kernels.solid.bonds import (
     move_bonds,
     update_bonds,
 )
-from warpsph.kernels.solid.borne import find_bond_forces, keep_bond_forces
+from warpsph.kernels.solid.borne import fade_bond_forces, find_bond_forces, keep_bond_forces
 from warpsph.kernels.solid.elasticity import add_elastic_forces, find_stress, settle_volume
 from warpsph.kernels.solid.strain import ElasticConstants, keep_strain
 from warpsph.terms.phase_change import PhaseChange
@@ -44,6 +44,13 @@ SHORTEST_BOND = 0.65
 # it swings together with those of its neighbours, and grows stiffer as it is stretched. The corner of a cube bonded to
 # its three nearest has 1.
 OWN_SWING = 1.01
+
+# Times in which the elastic wave crosses a spacing, over which bonds forget what they bear besides their stress: long
+# beside the swings of a skin one particle thick (some 25), short beside the growth of a shell.
+FADING = 400.0
+# Forces that a bond bears besides its stress, over E and the face of a cell: below the least one it forgets them, above
+# the little one ends that are not well held do not bear them. The pressure of a melt is some thousandths.
+LEAST_BORNE, LITTLE_BORNE = 1e-6, 0.01
 
 WAVE_LIMIT = 5.0  # times the speed of the elastic wave, at which a run counts as diverged
 
@@ -138,6 +145,10 @@ class Elasticity(Term):
         scale = normalisation("sine", model.dimension, reach)
         planar = int(model.dimension == 2)
         constants = {"elastic": self._constants(model, state), "reach": reach, "scale": scale, "planar": planar}
+        wave = max(self.wave_speed(material.density) for material in model.materials)
+        constants["fading_time"] = FADING * model.spacing / wave
+        force = self.youngs_modulus * model.spacing ** (model.dimension - 1)
+        constants |= {"least_force": LEAST_BORNE * force, "little_force": LITTLE_BORNE * force}
         fluid = model.find(WeaklyCompressible)
         if fluid is None:
             return constants
@@ -185,6 +196,7 @@ class Elasticity(Term):
         launch(add_elastic_forces, acceleration=launch.find("fast_acceleration"))
 
     def change_phases(self, launch: Launch) -> None:
+        launch(fade_bond_forces)
         launch.when("phase_changed", lambda: self._renew_bonds(launch))
 
     def follow_sorting(self, launch: Launch) -> None:
