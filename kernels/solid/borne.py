@@ -23,7 +23,7 @@ def is_well_held(correction: wp.mat33) -> bool:
 
 @wp.kernel
 def fade_bond_forces(first: int, interval: float, fading_time: float, least_force: float, bonds: BondList):
-    """Let what bonds bear fade over ``fading_time`` [s] while an ``interval`` [s] passes, below ``least_force`` to 0."""
+    """Let what bonds bear fade over ``fading_time`` [s] in an ``interval`` [s], below ``least_force`` to 0."""
     i = wp.tid() + first
     if bonds.count[i] > 0:
         left = wp.exp(-interval / fading_time)
