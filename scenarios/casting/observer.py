@@ -47,7 +47,7 @@ class CastingObserver:
         of_free = (state[name][free] for name in ("position", "solid_fraction", "temperature"))
         thickness, surface = shell_profile(self.case, self.heights, *of_free)
         self._exit[time] = float(np.interp(self.case.mould_bottom, self.heights, thickness))
-        speed = self.machine.speedometer.read()
+        speed, grain_speed = self.machine.speedometer.read()
         self.alarms(time, float(self.gauge.speeds.numpy()[0]), speed)
         shell: Values = {
             "height": Measured(self.heights, "m", "height"),
@@ -56,6 +56,7 @@ class CastingObserver:
                 surface, "K", "shell surface temperature", over="height", colours="inferno"
             ),
             "shell_speed": Measured(speed, "m/s", "highest speed of the shell"),
+            "grain_speed": Measured(grain_speed, "m/s", "highest speed of grains in the melt"),
         }
         watched = self.watch(state, time, self.heights, thickness)
         flow = self._flow(state) | self._stroke(state) | self._water(state)
