@@ -15,7 +15,7 @@ from warpsph.errors import require
 from warpsph.kernels.machine.rolls import RollConstants, press
 from warpsph.terms.elasticity import Elasticity
 
-# In spacings. A shell of which the melt leans on rolls a hundred spacings down then has its face where theirs is.
+# In spacings, from the surface; a shell pressed by melt of a hundred spacings, with rolls every ten, is half as deep.
 REACH = 1.0
 
 

@@ -34,7 +34,7 @@ from warpsph.kernels.solid.strain import ElasticConstants, keep_strain
 from warpsph.terms.phase_change import PhaseChange
 from warpsph.terms.weakly_compressible import WeaklyCompressible
 
-BYTES_PER_BOND = 48  # partner, separation, slope, value, and what it bears of pressure and of strain
+BYTES_PER_BOND = 48  # partner, separation, slope, value, what it bears besides its stress, and its whole force
 
 # In spacings. Where the pressure of the melt is zero particles may freeze almost on top of each other; a stiffness of
 # the hourglass control that grows as the inverse square of such a length would be unstable at any time step.
