@@ -48,6 +48,7 @@ OWN_SWING = 1.01
 # Times in which the elastic wave crosses a spacing, over which bonds forget what they bear besides their stress: long
 # beside the swings of a skin one particle thick (some 25), short beside the growth of a shell.
 FADING = 400.0
+LONGEST_FADE = 0.1  # over that time, between two steps with heat
 # Forces that a bond bears besides its stress, over E and the face of a cell: below the least one it forgets them, above
 # the little one ends that are not well held do not bear them. The pressure of a melt is some thousandths.
 LEAST_BORNE, LITTLE_BORNE = 1e-6, 0.01
@@ -145,8 +146,7 @@ class Elasticity(Term):
         scale = normalisation("sine", model.dimension, reach)
         planar = int(model.dimension == 2)
         constants = {"elastic": self._constants(model, state), "reach": reach, "scale": scale, "planar": planar}
-        wave = max(self.wave_speed(material.density) for material in model.materials)
-        constants["fading_time"] = FADING * model.spacing / wave
+        constants["fading_time"] = max(self.fading_time(model, m) for m in _free_materials(model, state))
         force = self.youngs_modulus * model.spacing ** (model.dimension - 1)
         constants |= {"least_force": LEAST_BORNE * force, "little_force": LITTLE_BORNE * force}
         fluid = model.find(WeaklyCompressible)
@@ -154,6 +154,18 @@ class Elasticity(Term):
             return constants
         frozen = {"frozen_from": fluid, "reference_density": fluid.reference_density}
         return constants | frozen | fluid.device_constants(model)
+
+    def fading_time(self, model: Model, material: int) -> float:
+        """How long bonds of a ``material``, by its index, remember what they bear besides their stress [s]."""
+        return FADING * model.spacing / self.wave_speed(model.materials[material].density)
+
+    def longest_intervals(self, model: Model) -> dict[str, float]:
+        """Where something freezes: what bonds bear fades in steps with heat, and is not to fall in one."""
+        if not any("a change of phase" in term.provides for term in model.terms):
+            return {}
+        melting = [m for m, material in enumerate(model.materials) if material.melts]
+        fading = min((self.fading_time(model, m) for m in melting), default=np.inf)
+        return {"fading of what bonds bear": LONGEST_FADE * fading} if melting else {}
 
     def reach(self, model: Model) -> float:
         return model.support if self.support_ratio is None else self.support_ratio * model.spacing
@@ -230,9 +242,7 @@ class Elasticity(Term):
         launch.whole(clear_flag, flag=launch.find("phase_changed"), counter=self.bond_events)
 
     def _constants(self, model: Model, state: State) -> ElasticConstants:
-        free = state.numpy("role") == Role.FREE
-        moving = tuple(int(material) for material in np.unique(state.numpy("material")[free]))
-        step = min(self._longest(model, moving).values(), default=np.inf)
+        step = min(self._longest(model, _free_materials(model, state)).values(), default=np.inf)
         constants = ElasticConstants()
         constants.lame_lambda, constants.lame_mu = self.lame
         constants.youngs_modulus = self.youngs_modulus
@@ -242,6 +252,12 @@ class Elasticity(Term):
         constants.corrected = int(self.corrected)
         constants.planar = int(model.dimension == 2)
         return constants
+
+
+def _free_materials(model: Model, state: State) -> tuple[int, ...]:
+    """Indices of the materials of free particles, of all materials where there are none."""
+    free = state.numpy("material")[state.numpy("role") == Role.FREE]
+    return tuple(int(material) for material in np.unique(free)) or tuple(range(len(model.materials)))
 
 
 def _in_small_steps(model: Model) -> bool:

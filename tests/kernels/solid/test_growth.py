@@ -5,12 +5,12 @@ import pytest
 
 from warpsph.core.executor import Executor
 from warpsph.core.labels import Phase, Role
-from warpsph.core.materials import thesis_steel
+from warpsph.core.materials import fluid_material, solid_material, thesis_steel
 from warpsph.core.model import Model
 from warpsph.core.particles import Particles, lattice
 from warpsph.run.simulation import Simulation
 from warpsph.terms import Conduction, Elasticity, Fluid, PhaseChange, SummedDensity
-from warpsph.terms.elasticity import FADING
+from warpsph.terms.elasticity import FADING, LONGEST_FADE
 
 SPACING, STEEL, ROWS = 0.01, thesis_steel(), 6
 
@@ -108,7 +108,7 @@ def test_what_bonds_bear_fades(device):
     block = Growing(device, 2, STRETCHED)
     block.solidify(1.0)
     solver, bonds = block.simulation.solver, block.state.bonds
-    fading_time = FADING * SPACING / Elasticity(4e5, 0.3).wave_speed(STEEL.density)
+    fading_time = Elasticity(4e5, 0.3).fading_time(block.simulation.model, 0)
     borne = [np.linalg.norm(bonds.borne.numpy(), axis=1)]
     for times in (0.5, 0.5, 20.0):
         solver.set_steps(1e-4, times * fading_time)
@@ -117,6 +117,33 @@ def test_what_bonds_bear_fades(device):
     assert np.max(borne[0]) > 0.01
     assert np.allclose(borne[2], np.exp(-1.0) * borne[0], rtol=1e-4, atol=2e-6 * np.max(borne[0]))
     assert np.all(borne[3] == 0.0)
+
+
+def test_the_wave_in_what_moves_says_how_fast_it_fades():
+    """Water or gas beside the machine, lighter than the steel, would make the shell forget its load in a jerk."""
+    terms = (Fluid(2100.0, 10.0), SummedDensity(), Conduction(), PhaseChange(), Elasticity(4e5, 0.3))
+    model = Model(2, SPACING, (STEEL, fluid_material("gas", 1.2), solid_material("wall", 8000.0)), terms)
+    particles = Particles()
+    for name, role, x in (("steel", Role.FREE, 0.0), ("gas", Role.DUMMY, 0.1), ("wall", Role.DUMMY, 0.2)):
+        particles.add(np.array([[x, 0.0, 0.0]]), role, name, temperature=STEEL.liquidus + 100.0)
+    simulation = Simulation(Executor("cpu"), model, particles)
+    wave = Elasticity(4e5, 0.3).wave_speed(STEEL.density)
+    assert simulation.model.the(Elasticity).constants(model, simulation.state)["fading_time"] == pytest.approx(
+        FADING * SPACING / wave
+    )
+
+
+@pytest.mark.parametrize("youngs_modulus", [1e3, 4e5, 1e9, 1e12])
+def test_what_bonds_bear_does_not_fade_in_one_step(youngs_modulus):
+    """A stiff solid would be rid of all that it bears at the first step with heat, a millisecond after it froze."""
+    terms = (Fluid(2100.0, 10.0), SummedDensity(), Conduction(), PhaseChange(), Elasticity(youngs_modulus, 0.3))
+    model = Model(2, SPACING, (STEEL,), terms)
+    particles = Particles()
+    particles.add(np.zeros((1, 3)), Role.FREE, temperature=STEEL.liquidus + 100.0)
+    simulation = Simulation(Executor("cpu"), model, particles)
+    plan = simulation.plan
+    fading_time = simulation.model.the(Elasticity).fading_time(model, 0)
+    assert plan.heat_every * plan.longest <= LONGEST_FADE * fading_time * (1.0 + 1e-6)
 
 
 @pytest.mark.parametrize("dimension", [2, 3])
