@@ -11,7 +11,7 @@ from warpsph.core.model import Model
 from warpsph.core.particles import lattice
 from warpsph.core.state import State
 from warpsph.core.term import Term
-from warpsph.errors import require
+from warpsph.errors import number, require
 from warpsph.kernels.machine.rolls import RollConstants, press
 from warpsph.terms.elasticity import Elasticity
 
@@ -38,8 +38,10 @@ class Rolls(Term):
 
     def __post_init__(self) -> None:
         for name in ("face", "radius"):
-            require(self, name, 0.0 < getattr(self, name) < np.inf, "positive [m]")
-        require(self, "heights", bool(np.all(np.isfinite(self.heights))), "numbers [m]")
+            require(self, name, 0.0 < number(getattr(self, name)) < np.inf, "positive [m]")
+        listed = isinstance(self.heights, Sequence | np.ndarray) and np.ndim(self.heights) == 1
+        finite = listed and bool(np.all(np.isfinite([number(height) for height in self.heights])))
+        require(self, "heights", finite, "a list of numbers [m]")
 
     needs = ("elasticity",)
     follows = ("fluid",)

@@ -25,6 +25,7 @@ class WallFriction(Term):
     by themselves.
     """
 
+    provides = ("friction at walls",)
     needs = ("forces", "a flow")
 
     acceleration = Dynamics.acceleration

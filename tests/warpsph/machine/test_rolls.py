@@ -90,6 +90,8 @@ def test_a_row_of_particles_slides_over_a_roll(device, gap):
 
 @pytest.mark.parametrize(("face", "heights", "radius", "name"), [
     (-0.1, [0.1], 0.01, "face"), (0.1, [np.nan], 0.01, "heights"), (0.1, [0.1], 0.0, "radius"),
+    ("0.1", [0.1], 0.01, "face"), (0.1, "0.1", 0.01, "heights"), (0.1, 0.1, 0.01, "heights"),
+    (0.1, [[0.1]], 0.01, "heights"), (0.1, [0.1], None, "radius"),
 ])  # fmt: skip
 def test_rolls_that_cannot_be_are_refused(face, heights, radius, name):
     """A roll without a radius would push with an infinite force."""

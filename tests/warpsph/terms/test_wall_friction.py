@@ -20,14 +20,14 @@ DX, ROWS, SPEED = 0.1, 10, 2.0
 WATER = 1.0e-6  # m^2/s
 
 
-def layer(device, dimension=2, viscosity=WATER, wall_viscosity=0.0, flow=CorrectedFluid, plates=0.0):
+def layer(device, dimension=2, viscosity=WATER, wall_viscosity=0.0, flow=CorrectedFluid, plates=0.0, times=1):
     """Fluid that moves along two plates, with one velocity everywhere, in a periodic box."""
     depth = (1.0,) * (dimension - 2)
     model = Model(
         dimension=dimension,
         spacing=DX,
         materials=(fluid_material("fluid", 1.0, viscosity), solid_material("plate", 1.0, wall_viscosity)),
-        terms=(flow(1.0, 20.0), WallFriction()),
+        terms=(flow(1.0, 20.0), *(WallFriction() for _ in range(times))),
         gravity=(0.0, 0.0, 0.0),
         periodic=PeriodicBox((0.0, 0.0, 0.0), (1.0, 0.0, sum(depth))),
     )
@@ -73,8 +73,10 @@ def test_plates_that_move_along_do_not_rub():
 
 
 def test_what_it_cannot_do_is_refused():
-    """A term without effect would let a case seem to have friction."""
+    """A term without effect would let a case seem to have friction, and two would rub twice."""
     with pytest.raises(InputError, match="WallFriction: the fluid slips along no wall"):
         layer("cpu", wall_viscosity=1.0)
     with pytest.raises(InputError, match="WallFriction: it acts in the flow of CorrectedFluid"):
         layer("cpu", flow=DeltaFluid)
+    with pytest.raises(InputError, match="friction at walls"):
+        layer("cpu", times=2)
