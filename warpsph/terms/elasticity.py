@@ -47,7 +47,7 @@ OWN_SWING = 1.01
 
 # Times in which the elastic wave crosses a spacing, over which bonds forget what they bear besides their stress: long
 # beside the swings of a skin one particle thick (some 25), short beside the growth of a shell.
-FADING = 400.0
+FADING = 280.0
 LONGEST_FADE = 0.1  # over that time, between two steps with heat
 # Forces that a bond bears besides its stress, over E and the face of a cell: below the least one it forgets them, above
 # the little one ends that are not well held do not bear them. The pressure of a melt is some thousandths.
