@@ -160,7 +160,12 @@ class CastingParameters(ConductingScenario):
         The mould's at most, and g h / c_s, with which a particle sets off that is rid of the whole pressure of the melt
         at once: by freezing or melting nothing can be faster.
         """
-        return np.pi * self.mould_frequency * self.mould_stroke + GRAVITY * self.level / self.sound_speed
+        return self.fastest_mould + GRAVITY * self.level / self.sound_speed
+
+    @property
+    def fastest_mould(self) -> float:
+        """Highest speed of the mould [m/s]."""
+        return np.pi * self.mould_frequency * self.mould_stroke
 
     @property
     def bore(self) -> float:
