@@ -84,8 +84,9 @@ def keep_bond_forces(
     Strain is kept there, but not what it does: with other neighbours the divergence of the stress has other weights,
     and what joins a strained body would at once be pushed by the stress of that. Nor would what freezes bear the
     pressure that it had as a fluid: it would set off at p / (rho c), some 0.2 m/s in a mould. So a new bond begins with
-    the force that the pair had before, and one that stays keeps its own, until it has faded. Ends that are not well
-    held bear nothing that is more than a ``little_force`` [N], in 2D [N/m].
+    the force that the pair had before, and one that stays keeps its own, until it has faded. Where that is more than
+    a ``little_force`` [N], in 2D [N/m], ends that are not well held bear what they bore, at first the force that the
+    pair had in the fluid.
     """
     i = wp.tid() + first
     for b in range(bonds.count[i]):
@@ -98,8 +99,11 @@ def keep_bond_forces(
                 elastic, bonds, place, x, body_volume[j], F * bonds.separation[place], stress[i] + stress[j]
             )
             rest = bonds.whole[place] - force * body_volume[i]
+            is_new = froze[i] != 0 or froze[j] != 0
             held_now = is_well_held(correction[i]) and is_well_held(correction[j])
-            held_before = froze[i] != 0 or froze[j] != 0 or (was_held[i] != 0 and was_held[j] != 0)
-            if wp.length(rest) > little_force and not (held_now and held_before):
-                rest = wp.vec3()
-            bonds.borne[place] = wp.transpose(turn_of(F, elastic.planar)) * rest
+            held_before = is_new or (was_held[i] != 0 and was_held[j] != 0)
+            back = wp.transpose(turn_of(F, elastic.planar))
+            if wp.length(rest) <= little_force or (held_now and held_before):
+                bonds.borne[place] = back * rest
+            elif is_new:
+                bonds.borne[place] = back * bonds.whole[place]

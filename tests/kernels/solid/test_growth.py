@@ -38,7 +38,7 @@ class Growing:
     def move(self, F: np.ndarray) -> None:
         self.state.position.assign((self.state.numpy("position").astype(float) @ F.T).astype(np.float32))
 
-    def solidify(self, fraction: float) -> None:
+    def solidify(self, fraction: float | np.ndarray) -> None:
         self.state.solid_fraction.assign(np.where(self.solid, 1.0, fraction).astype(np.float32))
         self.act("change_phases")
 
@@ -101,6 +101,20 @@ def test_what_freezes_on_a_skin_under_little_strain_is_not_pushed_by_it(device, 
     block.solidify(1.0)
     assert np.abs(before).max() > 0.0
     assert np.abs(block.force() - before).max() < 1e-3 * np.abs(before).max()
+
+
+@pytest.mark.parametrize("dimension", [2, 3])
+@pytest.mark.parametrize("rows", [2, 4])
+@pytest.mark.parametrize("pressure", [0.005, 0.1])
+def test_a_skin_that_freezes_piece_by_piece_under_a_deep_melt_bears_it(device, dimension, rows, pressure):
+    """Corners and skins would be rid of the pressure as soon as it is more than what they may bear of a strain."""
+    block = Growing(device, dimension, np.eye(3), rows=rows)
+    block.state.pressure.fill_(pressure * 4e5)
+    order = np.random.default_rng(1).random(len(block.solid))
+    before = block.force()
+    for part in (0.3, 0.6, 1.0):
+        block.solidify(np.where(order < part, 1.0, 0.0))
+        assert np.abs(block.force() - before).max() < 1e-4 * np.abs(before).max()
 
 
 def test_what_bonds_bear_fades(device):
