@@ -22,6 +22,7 @@ from warpsph.terms import (
     Fluid,
     SummedDensity,
 )
+from warpsph.terms.corrected_fluid import LONGEST_DELAY_AT_SURFACE
 
 SOUND, ROWS = 10.0, 10
 STRONG = {"density_diffusion": 50.0, "artificial_viscosity": 50.0}
@@ -72,6 +73,25 @@ def test_a_delay_with_which_disorder_grows_is_refused():
     """The corrected gradient is not the opposite of the divergence: with 50 the energy grows fourteenfold."""
     with pytest.raises(InputError, match=r"bulk_delay = 50.0: must be at most 5; artificial_viscosity"):
         CorrectedFluid(1.0, SOUND, bulk_delay=50.0)
+    with pytest.raises(InputError, match=r"bulk_delay = 1.0: must be at most 0.5 with a free surface; artificial"):
+        CorrectedFluid(1.0, SOUND, bulk_delay=1.0, free_surface=True)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_thin_sheet_does_not_gain_energy_by_the_longest_delay(seed):
+    """The gradients of two rows are corrected so much that a longer delay drives a sheet: with 5, to 400 times."""
+    dx, random = 1.0 / 16, np.random.default_rng(seed)
+    points = lattice((0.0, 0.0), (1.0, 2 * dx), dx)
+    points[:, :2] += random.uniform(-0.2 * dx, 0.2 * dx, (len(points), 2))
+    velocity = np.column_stack([random.normal(0.0, 0.01 * SOUND, (len(points), 2)), np.zeros(len(points))])
+    particles = Particles()
+    particles.add(points, Role.FREE, "fluid", velocity=velocity)
+    flow = CorrectedFluid(1.0, SOUND, free_surface=True, bulk_delay=LONGEST_DELAY_AT_SURFACE)
+    model = Model(2, dx, (fluid_material("fluid", 1.0),), (flow,), gravity=(0.0, 0.0, 0.0))
+    simulation = Simulation(Executor("cpu", 1), model, particles)
+    steps = 200 * simulation.plan.longest
+    energy = simulation.run(steps, steps).diagnostics["kinetic_energy"]
+    assert energy[-1] < 0.5 * energy[0]
 
 
 def limits_of(*materials, terms, moving, spacing=0.1):
