@@ -79,11 +79,10 @@ def draw_breakout_shell(failed: ResultFile, control: ResultFile, case: Breakout,
 
 def _label_events(panel: Axes, events: list[tuple[float, str]], top: float) -> None:
     """Lines at the moments of a breakout, each name at a height of its own, so that none lies over another."""
-    moments = [(time, text, name) for time, text in events for word, name in EVENT_NAMES.items() if word in text]
-    for k, (time, text, name) in enumerate(moments):
+    moments = [(time, name) for time, text in events for word, name in EVENT_NAMES.items() if word in text]
+    for k, (time, name) in enumerate(moments):
         panel.axvline(time, color="w", lw=1, ls="--")
-        after = time < 0.3 * panel.get_xlim()[1] or OUTFLOW in text
-        side, name = ("left", f" {name}") if after else ("right", f"{name} ")
+        side, name = ("left", f" {name}") if time < 0.3 * panel.get_xlim()[1] else ("right", f"{name} ")
         label = panel.text(time, (0.95 - 0.06 * k) * top, name, color="w", ha=side, va="center", fontsize=10)
         label.set_path_effects([withStroke(linewidth=2, foreground="#26292e")])  # it may stand on white
 
