@@ -52,7 +52,7 @@ def mean_shell(run: Diagnostics) -> np.ndarray:
 def oscillation_checks(
     kind: type[CastingParameters], simulate: Callable[[CastingParameters], Result]
 ) -> Iterable[Check]:
-    """Negative strip as computed; level and shell answer at the mould's frequency, and only while it moves."""
+    """Negative strip as computed; meniscus and shell answer at the mould's frequency, and only while it moves."""
     case = resolve(kind, [preset_layer(kind, "oscillation")])
     at_rest = case.model_copy(update={"mould_stroke": 0.0})
     moving, still = (whole_cycles(simulate(c).diagnostics, case) for c in (case, at_rest))
@@ -65,7 +65,6 @@ def oscillation_checks(
     )  # fmt: skip
     for name, text in (
         ("shell_velocity", "velocity of the shell's skin"),
-        ("level", "level"),
         ("meniscus", "meniscus"),
     ):
         answer, background = (response(run["time"], run[name], f)[0] for run in (moving, still))
